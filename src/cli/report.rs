@@ -197,7 +197,7 @@ fn of_file_at_rest(path: &Path, order: &ReportOrder) -> Result<String, CommandEr
         }
         FileType::System => {
             let (fields, solved) = loaded::<SystemFile>(file)?;
-            if solved.file.in_time().is_some() {
+            if solved.file.as_run().is_some() {
                 return Err(runs_first(path));
             }
             let analyses = Analyses::of_system(&solved);

@@ -79,7 +79,7 @@ fn of_system(
 
 /// The results of a system that are named, or the main ones.
 fn results_of_system(solved: &SolvedSystem, names: &[String]) -> Result<Vec<QuantityId>, String> {
-    if solved.file.in_time().is_some() {
+    if solved.file.as_run().is_some() {
         return Ok(SweepResults::of_system(solved, names)?.ids());
     }
     if names.is_empty() {

@@ -1,6 +1,7 @@
 //! `seacable run` on a system of lines: at rest, or in time; as a report or as JSON.
 
 use seacable_base::visible;
+use seacable_display::chart::Glyphs;
 use serde_json::json;
 use std::{path::Path, process::ExitCode, sync::Arc};
 
@@ -15,13 +16,14 @@ use super::{
     verdict,
 };
 use seacable_jobs::JobRequest;
-use seacable_model::case::Method;
+use seacable_model::case::kind;
 use seacable_model::kinds::FileBytes;
 use seacable_report::{
     system::{self as views, json, motion},
     text::WIDTH,
     verdict::RunVerdict,
 };
+use seacable_runs::run::accuracy::searchable::Asked;
 use seacable_runs::run::job::{JobEvent, Request, execute, execute_from};
 use seacable_runs::run::{Run, RunState, resume_request};
 use seacable_studies::study::seas::SeaQuestion;
@@ -39,28 +41,24 @@ pub(super) fn system(
     file: FileBytes,
     stop: &StopFlag,
 ) -> Result<ExitCode, CommandError> {
-    let (set, mut search) = (overrides(args), search(args));
+    let set = overrides(args);
     let file = EditedFile::<SystemFile>::read(file, &set, &args.import.options())?;
-    if file.content().in_time().is_some() {
+    if file.content().as_run().is_some() {
+        let search = search(args);
         let file = file.with(&search)?;
-        return in_motion(args, file, [&set[..], &search].concat(), stop);
-    }
-    if !search.is_empty() {
-        // A table of its own would make a run in time of it.
-        search.insert(0, format!("solver.method={}", Method::Static.name()));
+        return computed_run(args, file, [&set[..], &search].concat(), stop);
     }
     if args.detach {
         return Err(CommandError::Usage(
-            "Systems of lines at rest do not take --detach: they are printed, not kept; a table `[solver]` makes a run in time.".to_owned(),
+            "Systems of lines at rest do not take --detach: they are printed, not kept; a table `[solver]` makes a run, with `method = \"static\"` of their rest.".to_owned(),
         ));
     }
     if args.out.is_some() {
         return Err(CommandError::Usage(
-            "Systems of lines do not take --out: one at rest is printed, not kept; redirect the output.".to_owned(),
+            "Systems of lines without a table `[solver]` do not take --out: they are printed, not kept; add it with `method = \"static\"`, or redirect the output.".to_owned(),
         ));
     }
-    let file = file.with(&search)?;
-    let searched = searched(&file, stop);
+    let searched = searched(args, &file, stop);
     let found = searched.as_ref().map(|run| run.info.overrides.as_slice());
     let file = file.with(found.unwrap_or_default())?.compute()?;
     let solved = &file.computed;
@@ -93,9 +91,12 @@ pub(super) fn system(
 
 /// The search for the accuracy that is asked of a system at rest, whose overrides are the segments that it found; none where none is asked, or
 /// where nothing comes to rest, which the file says better.
-fn searched(file: &EditedFile<'_, SystemFile>, stop: &StopFlag) -> Option<Run> {
-    let case = SystemAtRest::new(file.content().clone());
-    case.asked?;
+fn searched(args: &RunArgs, file: &EditedFile<'_, SystemFile>, stop: &StopFlag) -> Option<Run> {
+    let asked = Asked {
+        accuracy: args.accuracy?,
+        budget_s: args.budget,
+    };
+    let case = SystemAtRest::new(file.content().clone()).asking(Some(asked), true);
     let request = Request {
         case,
         text: file.whole_text(),
@@ -112,8 +113,8 @@ fn searched(file: &EditedFile<'_, SystemFile>, stop: &StopFlag) -> Option<Run> {
     (run.info.state == RunState::Done).then_some(run)
 }
 
-/// The run in time, stored as it is computed: its results or JSON on standard output.
-fn in_motion(
+/// The run, stored as it is computed: its results or JSON on standard output.
+fn computed_run(
     args: &RunArgs,
     file: EditedFile<'_, SystemFile>,
     overrides: Vec<String>,
@@ -174,13 +175,27 @@ fn stored_run(
         let checks = verdict::text(found);
         let path = visible::path(dir);
         let text = format!(
-            "{path}\n\n{}{}{checks}",
+            "{path}\n\n{}{}{}{checks}",
+            at_rest(request, run, output::glyphs(args.ascii)),
             motion::summary(run),
             accuracy(run)
         );
         output::results(&text, args.ascii)?;
     }
     Ok(verdict::status(found, status(run, stop)))
+}
+
+/// The report of where the system rests, of a run of that alone.
+fn at_rest(request: &SystemRequest, run: &Run, glyphs: Glyphs) -> String {
+    if request.case.motion.is_in_time() {
+        return String::new();
+    }
+    let solved = &request.case.solved;
+    let analyses = Analyses::of_system(solved);
+    let rows = validation::rows_of_run(solved, run);
+    let fields = kind::rows::<SystemFile>(&request.text);
+    let report = views::report(solved, &analyses, &rows, &fields);
+    report.to_text(WIDTH, glyphs)
 }
 
 /// All `--set`, then `--solver`.

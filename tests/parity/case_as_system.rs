@@ -153,15 +153,7 @@ fn pairs(case: &Case) -> Vec<(Vec<String>, String)> {
             "a" => format!("tension_n[{}|{section}]", end.name),
             _ => format!("tension_n[{section}|{}]", end.name),
         };
-        // At rest the tension of a system is the force on the end.
-        let is_force = case.solver.method == Method::Static && end.kind.is_held();
-        let own = match is_force {
-            true => ["x", "y", "z"]
-                .map(|axis| format!("force_{axis}_n[{}]", end.name))
-                .to_vec(),
-            false => vec![at_joint],
-        };
-        pairs.push((own, format!("tension_n[line|{letter}]")));
+        pairs.push((vec![at_joint], format!("tension_n[line|{letter}]")));
         let stays = end.release_s.is_none()
             && case
                 .payload
@@ -184,7 +176,7 @@ enum Values {
 impl Values {
     fn of(text: &str) -> Self {
         let solved = kind::parse::<SystemFile>(text, "system.toml").unwrap();
-        match solved.file.in_time() {
+        match solved.file.as_run() {
             Some(_) => Self::Over(Box::new(system_run(text).history)),
             None => Self::AtRest(Box::new(solved)),
         }

@@ -4,7 +4,7 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
 use seacable::case::{self, kind};
-use seacable::run::{History, Run, job};
+use seacable::run::{History, Run, RunState, job};
 use seacable::system::SystemFile;
 use seacable::system::motion::job as system_job;
 
@@ -139,6 +139,59 @@ fn by_runge_kutta() {
 #[test]
 fn quasi_statically() {
     assert_agree(&solver("quasi", "time_step_s = 0.05"));
+}
+
+/// Its rest on the mesh is a run of one instant, with all along the line, by errors that the mesh makes.
+#[test]
+fn at_rest_by_the_method_static() {
+    let errors = |solver: String| solver.replace("error_estimate = false", "error_estimate = true");
+    let solver = errors(solver("static", ""));
+    let start = "[start]\nshape = \"equilibrium\"\n";
+    let line = line_run(format!("{LINE}{COMMON}{start}{solver}"));
+    let system = system_run(&format!("{SYSTEM}{COMMON}{solver}"));
+    assert_eq!(
+        (line.info.state, system.info.state),
+        (RunState::Done, RunState::Done)
+    );
+    assert_eq!(system.history.time, [0.0]);
+    let [own, other] = [&line, &system].map(|run| &run.profiles[0]);
+    assert_eq!(own.arc, other.arc);
+    let most = |a: &[f64], b: &[f64]| {
+        assert_eq!(a.len(), b.len());
+        a.iter()
+            .zip(b)
+            .fold(0.0, |most: f64, (a, b)| most.max((a - b).abs()))
+    };
+    for (a, b) in [
+        (&own.tension, &other.tension),
+        (&own.tension_min, &other.tension_min),
+        (&own.tension_max, &other.tension_max),
+    ] {
+        let apart = most(a, b);
+        assert!(apart < NONE, "{apart} N");
+    }
+    let apart = most(&own.bed_clearance, &other.bed_clearance);
+    assert!(apart < 1e-7, "{apart} m");
+    for (own, other) in [
+        (
+            "tension_n[chain|fairlead].final",
+            "tension_n[chain|b].final",
+        ),
+        ("tension_n.max", "tension_n[along chain].max"),
+        ("on_bed_m.final", "on_bed_m[chain].final"),
+    ] {
+        let of = |run: &Run, name: &str| {
+            let found = run.summary.iter().find(|number| number.name() == name);
+            let found = found.unwrap_or_else(|| panic!("{name}"));
+            (found.value, found.error_estimate().unwrap())
+        };
+        let ((value, error), (again, known)) = (of(&line, own), of(&system, other));
+        assert!((value - again).abs() < NONE, "{other}: {value} {again}");
+        assert!(
+            known > 0.0 && (error - known).abs() <= 1e-3 * error,
+            "{other}: {error} {known}"
+        );
+    }
 }
 
 /// A motion that sets in at full speed: its velocity counts in the first row, as after every kink. Later the line snaps, and differences of

@@ -43,25 +43,37 @@ fn folder() -> tempfile::TempDir {
     dir
 }
 
-/// A table `[solver]` of the method `static` is of a system at rest: its accuracy is reached, what it has no use for is said.
+/// The rest of a system by the method `static` is a run: its accuracy is reached, what it has no use for is said, it is stored, listed, reported
+/// and compared.
 #[test]
-fn the_file_of_a_system_at_rest_asks_for_an_accuracy() {
+fn the_rest_of_a_system_is_a_run_by_the_method_static() {
     let dir = folder();
     let at_rest = |words: &[&str]| {
         let all = [&["run", "bridle.toml", "--solver", "static"], words].concat();
         let output = seacable(dir.path(), &all).assert().success();
         String::from_utf8(output.get_output().stdout.clone()).unwrap()
     };
-    let asked = at_rest(&["--set", "solver.accuracy=1e-2"]);
+    let asked = at_rest(&["--set", "solver.accuracy=1e-2", "--out", "asked"]);
     assert!(asked.contains("Accuracy: 0.01 asked; "), "{asked}");
-    assert!(asked.contains("top does not move: "), "{asked}");
-    let steps = at_rest(&["--set", "solver.time_step_s=0.1"]);
+    let steps = at_rest(&["--set", "solver.time_step_s=0.1", "--out", "rest"]);
     assert!(
         steps.contains("`solver.time_step_s` has no effect"),
         "{steps}"
     );
-    assert!(!steps.contains("Accuracy: "), "{steps}");
-    assert!(!dir.path().join("runs").exists());
+    assert!(steps.contains("top does not move: "), "{steps}");
+    assert!(steps.contains("tension_n[left|a]"), "{steps}");
+    let heavier = ["--set", "points.clump.mass_kg=9000", "--out", "heavier"];
+    at_rest(&heavier);
+    let done = |words: &[&str], wanted: &str| {
+        let run = seacable(dir.path(), words).assert().success();
+        run.stdout(contains(wanted));
+    };
+    done(&["report", "rest"], "Method");
+    done(
+        &["report", "heavier", "--against", "rest"],
+        "points.clump.mass_kg",
+    );
+    done(&["compare", "rest", "heavier"], "tension_n[left|a].final");
     seacable(
         dir.path(),
         &[

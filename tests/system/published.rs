@@ -144,7 +144,7 @@ fn faults_of_rows_along_studies_are_at_their_keys() {
         ),
         (
             "[[trend]]\nname = \"t\"\nstudy = \"mass\"\nquantity = \"tension_n[rod|a]\"\nexpect = \"rises\"\nsource = \"s\"\n".to_owned(),
-            "trend.1.quantity",
+            "trend.t.quantity",
         ),
         (
             "[[study]]\nname = \"other\"\nkey = \"points.weight.mass\"\nvalues = [1.0, 2.0]\n".to_owned(),

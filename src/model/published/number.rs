@@ -2,9 +2,10 @@
 
 use super::{ValidationRow, compare, tolerance};
 use crate::case::fields::of;
-use crate::case::schema::{Key, TableNode, table};
+use crate::case::schema::{Key, table};
 use crate::case::{
     Evidence, Finding, Provenance, Published, QuantityId, StudyKeys, StudyPoint, of_study_point,
+    two_others,
 };
 
 table! {
@@ -140,15 +141,4 @@ pub fn check(
 /// A row is a change, a ratio to another point, or a ratio to another quantity; no two of them.
 fn one_other(row: &PublishedNumberKeys<'_>) -> Option<Finding> {
     two_others(&row.place, ["divided_by", "ratio_to", "change_from"])
-}
-
-/// A fault where two of three keys are given that each hold a row against another number.
-pub(crate) fn two_others(table: &TableNode<'_>, keys: [&str; 3]) -> Option<Finding> {
-    let mut given = keys.iter().filter_map(|key| table.node.entry(key));
-    let (first, _) = (given.next()?, given.next()?);
-    let problem = "the row is held against two other numbers at once";
-    let [by, ratio, change] = keys;
-    let remedy = format!("keep one of {change}, {ratio} and {by}");
-    let key = table.key("ratio_to");
-    Some(Finding::new(&first.key_span, key, problem, remedy))
 }

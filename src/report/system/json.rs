@@ -61,7 +61,7 @@ pub fn object(solved: &SolvedSystem, analyses: &Analyses) -> Value {
 
 /// The verdict of the checks on the equilibrium; nothing where the file has none, or is computed in time.
 fn checks(solved: &SolvedSystem) -> Option<Value> {
-    let at_rest = solved.file.in_time().is_none();
+    let at_rest = solved.file.as_run().is_none();
     let question = SeaQuestion::of_system(solved).ok().filter(|_| at_rest)?;
     RunVerdict::of_equilibrium(&question, solved).map(|verdict| verdict.to_json())
 }

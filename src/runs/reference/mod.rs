@@ -8,7 +8,7 @@
 //! *error* is what the computation itself may be off by. A row whose error is not small beside its
 //! tolerance says so.
 //!
-//! Line cases and systems state numbers and trends by the names of their results, along studies ([`Stated`]); the rows of line cases come from
+//! Line cases and systems state numbers and trends by the names of their results, along studies ([`PublishedStatements`]); the rows of line cases come from
 //! runs ([`rows()`]). A kind of file that is computed without a run compares its numbers with published ones by [`compare()`] and
 //! [`compare_trend()`]; tables, tallies and words are the same.
 
@@ -32,7 +32,7 @@ pub use outcome_counts::{OutcomeCounts, count_outcomes};
 pub use plan::plan;
 pub use published_history::PublishedHistory;
 pub use runs_at::NOT_RUN;
-pub use stated::{ResultsAt, Stated};
+pub use stated::{PublishedStatements, ResultsAt};
 pub use trend::{TrendStatement, compare_trend};
 pub use variant::{StudyVariant, rows_of_run, variant};
 
@@ -45,13 +45,13 @@ use crate::run::Run;
 use runs_at::RunsAt;
 
 /// What a line case states, by the names of its results.
-struct StatedByCase<'a> {
+struct StatementsOfCase<'a> {
     case: &'a Case,
     numbers: Vec<PublishedNumber>,
     trends: Vec<PublishedTrend>,
 }
 
-impl<'a> StatedByCase<'a> {
+impl<'a> StatementsOfCase<'a> {
     fn new(case: &'a Case) -> Self {
         Self {
             case,
@@ -60,8 +60,8 @@ impl<'a> StatedByCase<'a> {
         }
     }
 
-    fn stated(&self) -> Stated<'_> {
-        Stated {
+    fn stated(&self) -> PublishedStatements<'_> {
+        PublishedStatements {
             studies: &self.case.study,
             numbers: &self.numbers,
             trends: &self.trends,
@@ -80,7 +80,7 @@ pub fn rows<'r>(
     case: &Case,
     lookup: &dyn Fn(Option<&StudyPoint>) -> Option<&'r Run>,
 ) -> Vec<ValidationRow> {
-    let mut rows = StatedByCase::new(case).stated().rows(&RunsAt(lookup));
+    let mut rows = StatementsOfCase::new(case).stated().rows(&RunsAt(lookup));
     let curves = case.published_curve.iter().enumerate();
     let curves = curves.map(|(number, curve)| curve::row(number, curve, lookup));
     let common = case.case.tolerance_reason.as_deref();
@@ -97,7 +97,7 @@ pub fn rows_of_edited<'r>(
 ) -> Vec<ValidationRow> {
     let mut rows = rows(case, lookup);
     let curves = case.published_curve.iter().map(RowScope::of_curve);
-    let stated = StatedByCase::new(case);
+    let stated = StatementsOfCase::new(case);
     stated.stated().set_edited_aside(&mut rows, curves, edited);
     rows
 }

@@ -1,13 +1,13 @@
 //! Which variants of a case its published statements need.
 
-use super::StatedByCase;
+use super::StatementsOfCase;
 use crate::case::{Case, StudyPoint};
 
 /// The distinct variants that the published values, trends and curves of a case need, `None` being the case without a study; in the order
 /// in which the file asks for them.
 #[must_use]
 pub fn plan(case: &Case) -> Vec<Option<StudyPoint>> {
-    let mut variants = StatedByCase::new(case).stated().plan();
+    let mut variants = StatementsOfCase::new(case).stated().plan();
     for curve in &case.published_curve {
         if !variants.contains(&curve.at) {
             variants.push(curve.at.clone());

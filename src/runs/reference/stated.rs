@@ -7,7 +7,7 @@ use crate::published::{ComputedNumber, PublishedNumber, PublishedTrend};
 
 /// What a file states of published numbers and of trends along its studies.
 #[derive(Debug, Clone, Copy)]
-pub struct Stated<'a> {
+pub struct PublishedStatements<'a> {
     /// Its studies.
     pub studies: &'a [Study],
     /// Its published numbers.
@@ -30,7 +30,7 @@ pub trait ResultsAt {
     fn number(&self, at: Option<&StudyPoint>, name: &str) -> Result<ComputedNumber, String>;
 }
 
-impl<'a> Stated<'a> {
+impl<'a> PublishedStatements<'a> {
     /// The study of this name.
     #[must_use]
     pub fn study(&self, name: &str) -> Option<&'a Study> {

@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use super::stated::{ResultsAt, Stated};
+use super::stated::{PublishedStatements, ResultsAt};
 use super::{Outcome, RowKind, TrendLine, TrendPoint, ValidationRow};
 use crate::case::{Direction, StudyPoint, StudyValue};
 use crate::published::PublishedTrend;
@@ -10,7 +10,7 @@ use crate::published::comparison::REACHED;
 
 /// The row of a trend of a file.
 pub(super) fn row(
-    stated: &Stated<'_>,
+    stated: &PublishedStatements<'_>,
     trend: &PublishedTrend,
     results: &dyn ResultsAt,
 ) -> ValidationRow {

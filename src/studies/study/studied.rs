@@ -59,7 +59,7 @@ impl Studied for Case {
 impl Studied for SystemFile {
     fn with_errors(base: &BaseCase) -> Result<StudyJob, String> {
         let own = read(base, &[])?;
-        if own.content.in_time().is_none() {
+        if own.content.as_run().is_none() {
             return Ok(at_rest(base, own.content, base.overrides.clone(), true));
         }
         let text = asking_for_errors::<Self>(base)?;
@@ -75,7 +75,7 @@ impl Studied for SystemFile {
 
     fn of_content(self, base: &BaseCase, how: &str) -> Result<StudyJob, String> {
         let how = vec![how.to_owned()];
-        if self.in_time().is_none() {
+        if self.as_run().is_none() {
             return Ok(at_rest(base, self, how, false));
         }
         let solved = solve(self).map_err(|why| why.problem)?;
@@ -99,7 +99,7 @@ fn of_read(
     read: ReadFile<SystemFile>,
     overrides: Vec<String>,
 ) -> Result<StudyJob, String> {
-    if read.content.in_time().is_none() {
+    if read.content.as_run().is_none() {
         return Ok(at_rest(base, read.content, overrides, false));
     }
     let text = read.text.clone();

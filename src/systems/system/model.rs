@@ -149,6 +149,18 @@ table! {
 }
 
 impl SystemFile {
+    /// How a run of the system is computed, in time or of its rest on the mesh; nothing of one whose rest alone is worked out.
+    #[must_use]
+    pub const fn as_run(&self) -> Option<&Solver> {
+        self.solver.as_ref()
+    }
+
+    /// Whether its run is of its rest on the mesh.
+    #[must_use]
+    pub fn is_run_at_rest(&self) -> bool {
+        self.as_run().is_some_and(|solver| !solver.is_in_time())
+    }
+
     /// How the system is computed in time; nothing of one at rest.
     #[must_use]
     pub fn in_time(&self) -> Option<&Solver> {

@@ -79,7 +79,7 @@ fn with_attached(
         true => by_length * half / displaced,
         false => own,
     };
-    let widths = Widths::of(bare, whole, density);
+    let widths = DragWidths::of(bare, whole, density);
     let along = match bare.drag_tangential_width {
         DragWidth::Diameter => diameter,
         DragWidth::Perimeter => PI * diameter,
@@ -109,13 +109,13 @@ fn with_attached(
 }
 
 /// Drag coefficients times widths \[m\]: of the line across it, of what is attached across it, of all along it.
-struct Widths {
+struct DragWidths {
     normal: f64,
     attached: f64,
     tangential: f64,
 }
 
-impl Widths {
+impl DragWidths {
     fn of(bare: &Material, whole: &Segment, density: f64) -> Self {
         if density <= 0.0 {
             return Self {

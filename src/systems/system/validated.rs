@@ -15,7 +15,7 @@ use crate::published::ValidationRow;
 use crate::reference::variant;
 
 /// A system computed at a point of a study, `None` being the file without one.
-struct SystemPoint {
+struct ComputedPoint {
     at: Option<StudyPoint>,
     solved: SolvedSystem,
     run: Option<MotionRun>,
@@ -50,7 +50,7 @@ pub fn validated(
         let solved = kind::parse::<SystemFile>(&text, file).map_err(NotValidated::Invalid)?;
         computed(Some(at), solved, cancel)
     });
-    let mut all: Vec<SystemPoint> = others.collect::<Result<_, NotValidated>>()?;
+    let mut all: Vec<ComputedPoint> = others.collect::<Result<_, NotValidated>>()?;
     all.push(computed(None, solved, cancel)?);
     Ok(rows_along_studies(&content, &|at| {
         let mut points = all.iter();
@@ -63,11 +63,11 @@ fn computed(
     at: Option<StudyPoint>,
     solved: SolvedSystem,
     cancel: &AtomicBool,
-) -> Result<SystemPoint, NotValidated> {
-    let given = solved.file.in_time();
+) -> Result<ComputedPoint, NotValidated> {
+    let given = solved.file.as_run();
     let given = given.filter(|_| has_published_in_time(&solved.file));
     let run = given.map(|given| run(&solved, given, cancel, &mut |_| {}));
     let run = run.transpose();
     let run = run.map_err(|why| NotValidated::Unsolved(Box::new(why)))?;
-    Ok(SystemPoint { at, solved, run })
+    Ok(ComputedPoint { at, solved, run })
 }

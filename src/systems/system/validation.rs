@@ -7,7 +7,7 @@ use super::results_in_time::id_in_time;
 use super::solved::SolvedSystem;
 use crate::case::{EditedKey, QuantityId, StudyPoint, stands_at};
 use crate::published::{ComputedNumber, PublishedNumber, ValidationRow};
-use crate::reference::{NOT_RUN, ResultsAt, Stated};
+use crate::reference::{NOT_RUN, PublishedStatements, ResultsAt};
 use crate::run::error_estimate::HistoryPair;
 use crate::run::{History, Quantity, Run, edited_inputs};
 
@@ -71,10 +71,10 @@ impl<'s> ComputedSystem<'s> {
     #[must_use]
     pub fn new(solved: &'s SolvedSystem, run: Option<&'s MotionRun>) -> Self {
         let run = match run {
-            None if solved.file.in_time().is_none() => {
-                Err("The file has no run in time: add [solver].".to_owned())
+            None if solved.file.as_run().is_none() => {
+                Err("The file has no run: add [solver].".to_owned())
             }
-            None => Err("`seacable validate` computes the run in time.".to_owned()),
+            None => Err("`seacable validate` computes the run.".to_owned()),
             Some(run) => ComparedRun::of_motion(run),
         };
         Self { solved, run }
@@ -121,8 +121,8 @@ impl ResultsAt for SystemsAt<'_, '_> {
 
 /// What the file of a system states of published numbers and trends.
 #[must_use]
-pub fn stated(file: &SystemFile) -> Stated<'_> {
-    Stated {
+pub fn stated(file: &SystemFile) -> PublishedStatements<'_> {
+    PublishedStatements {
         studies: &file.study,
         numbers: &file.published,
         trends: &file.trend,
@@ -164,7 +164,7 @@ pub fn rows_of_run(solved: &SolvedSystem, run: &Run) -> Vec<ValidationRow> {
     rows
 }
 
-/// The rows of a file whose systems at the points of its studies, which [`Stated::plan`] names, `lookup` gives; without those of trials.
+/// The rows of a file whose systems at the points of its studies, which [`PublishedStatements::plan`] names, `lookup` gives; without those of trials.
 #[must_use]
 pub fn rows_along_studies(file: &SystemFile, lookup: &SystemLookup<'_, '_>) -> Vec<ValidationRow> {
     without_trials(rows_at(file, lookup))
@@ -175,7 +175,7 @@ pub fn set_edited_aside(rows: &mut [ValidationRow], file: &SystemFile, edited: &
     // Rows of trials are none of these.
     let numbers = file.published.iter().filter(|row| !row.of_trials);
     let numbers: Vec<PublishedNumber> = numbers.cloned().collect();
-    let stated = Stated {
+    let stated = PublishedStatements {
         numbers: &numbers,
         ..stated(file)
     };

@@ -89,7 +89,7 @@ impl Document {
     pub fn runs_view(&self) -> Option<&RunsView> {
         match &self.content {
             DocumentContent::Line(line) => Some(&line.runs_view),
-            DocumentContent::System(system) if system.is_in_motion() => Some(&system.runs_view),
+            DocumentContent::System(system) if system.has_runs() => Some(&system.runs_view),
             _ => None,
         }
     }

@@ -52,7 +52,7 @@ impl DocumentContent {
     pub(super) fn runs_view_mut(&mut self) -> Option<&mut RunsView> {
         match self {
             Self::Line(line) => Some(&mut line.runs_view),
-            Self::System(system) if system.is_in_motion() => Some(&mut system.runs_view),
+            Self::System(system) if system.has_runs() => Some(&mut system.runs_view),
             _ => None,
         }
     }

@@ -50,10 +50,10 @@ impl SystemView {
         }
     }
 
-    /// Whether its file has it computed in time.
+    /// Whether its file has a run of it computed.
     #[must_use]
-    pub fn is_in_motion(&self) -> bool {
-        self.solved.file.in_time().is_some()
+    pub fn has_runs(&self) -> bool {
+        self.solved.file.as_run().is_some()
     }
 
     /// Whether it has load cases, or sweeps of others are stored.
@@ -123,7 +123,7 @@ impl DocumentKind for SystemView {
             name: "system of lines",
             title: &self.solved.file.about.title,
             source: &self.solved.file.about.source,
-            panes: match (self.is_in_motion(), self.has_sweeps()) {
+            panes: match (self.has_runs(), self.has_sweeps()) {
                 (true, true) => &PANES,
                 (true, false) => &PANES[..IN_MOTION],
                 (false, true) => &SWEPT_AT_REST,
@@ -153,7 +153,7 @@ impl DocumentKind for SystemView {
     }
 
     fn commands(&self) -> &'static [Command] {
-        match self.is_in_motion() {
+        match self.has_runs() {
             true => MOVING,
             false => REPORTED,
         }

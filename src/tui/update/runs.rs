@@ -130,7 +130,7 @@ pub(super) fn list(state: &AppState) -> Option<Effect> {
             let main = main_results(&line.case);
             main.iter().map(ToString::to_string).collect()
         }
-        DocumentContent::System(system) if system.is_in_motion() => {
+        DocumentContent::System(system) if system.has_runs() => {
             main_channels(&system.solved.network)
         }
         _ => return None,

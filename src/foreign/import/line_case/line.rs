@@ -2,7 +2,7 @@
 
 use super::copied::{copy_table, value_of};
 use super::ends::point_name;
-use super::lines::{SystemLine, SystemSection, lines};
+use super::lines::{ConvertedLine, ConvertedSection, lines};
 use super::places::end_of;
 use super::source::{LETTERS, LineSource};
 use super::start;
@@ -51,7 +51,7 @@ pub(super) fn write(system: &mut CaseText<'_>, source: &LineSource<'_>) {
 }
 
 /// What is attached to a line between its ends.
-fn attached(system: &mut CaseText<'_>, source: &LineSource<'_>, line: &SystemLine<'_>) {
+fn attached(system: &mut CaseText<'_>, source: &LineSource<'_>, line: &ConvertedLine<'_>) {
     let one = ["section"];
     let without: &[&str] = if line.is_one() { &one } else { &[] };
     for table in ["floats", "modules", "clumps"] {
@@ -72,7 +72,7 @@ fn attached(system: &mut CaseText<'_>, source: &LineSource<'_>, line: &SystemLin
 }
 
 /// Whether what a table attaches is on a line: on a section of it that is whole, as all are where no body travels.
-fn is_on(line: &SystemLine<'_>, attached: &TomlNode) -> bool {
+fn is_on(line: &ConvertedLine<'_>, attached: &TomlNode) -> bool {
     let name = attached.get("section").and_then(|section| section.text());
     let mut whole = line.sections.iter().filter(|own| own.part.is_none());
     whole.any(|own| name.is_none_or(|name| own.of.name == name))
@@ -105,7 +105,7 @@ fn given(system: &mut CaseText<'_>, source: &LineSource<'_>, path: &[&str], key:
 fn section(
     system: &mut CaseText<'_>,
     source: &LineSource<'_>,
-    own: SystemSection<'_>,
+    own: ConvertedSection<'_>,
     is_named: bool,
 ) {
     let keys = ["name", "material", "length_m", "segments"];

@@ -7,26 +7,27 @@ use crate::case::{Case, LineEnd, Section, Traveller};
 const FEWEST: usize = 8;
 
 /// A line of the system.
-pub(super) struct SystemLine<'c> {
+pub(super) struct ConvertedLine<'c> {
     /// Its name.
     pub(super) name: &'static str,
     /// Its sections from end A to end B.
-    pub(super) sections: Vec<SystemSection<'c>>,
+    pub(super) sections: Vec<ConvertedSection<'c>>,
 }
 
 /// A section of a line of the system.
 #[derive(Clone, Copy)]
-pub(super) struct SystemSection<'c> {
+pub(super) struct ConvertedSection<'c> {
     /// The section of the case.
     pub(super) of: &'c Section,
     /// What of it is on this side of the body that travels: length \[m\] and segments; nothing where all of it is.
     pub(super) part: Option<(f64, usize)>,
 }
 
-impl SystemLine<'_> {
+impl ConvertedLine<'_> {
     /// Whether it is one section that needs no table of its own, nor a name.
     pub(super) fn is_one(&self) -> bool {
-        let segments = |only: &SystemSection<'_>| only.part.map_or(only.of.segments, |part| part.1);
+        let segments =
+            |only: &ConvertedSection<'_>| only.part.map_or(only.of.segments, |part| part.1);
         matches!(self.sections.as_slice(), [only] if segments(only) >= FEWEST)
     }
 
@@ -77,11 +78,11 @@ fn nearest(count: f64) -> usize {
 }
 
 /// The lines of the system of a case.
-pub(super) fn lines(case: &Case) -> Vec<SystemLine<'_>> {
-    let whole = |of| SystemSection { of, part: None };
+pub(super) fn lines(case: &Case) -> Vec<ConvertedLine<'_>> {
+    let whole = |of| ConvertedSection { of, part: None };
     let body = case.traveller.as_ref();
     let Some(parting) = body.and_then(|body| parting(case, body)) else {
-        return vec![SystemLine {
+        return vec![ConvertedLine {
             name: LINE,
             sections: case.line.iter().map(whole).collect(),
         }];
@@ -90,17 +91,17 @@ pub(super) fn lines(case: &Case) -> Vec<SystemLine<'_>> {
     let (length, segments) = parting.before;
     let part = |part| {
         let part = Some(part);
-        std::iter::once(SystemSection { of, part })
+        std::iter::once(ConvertedSection { of, part })
     };
     let behind = (of.length_m - length, of.segments - segments);
     let before = case.line[..parting.section].iter().map(whole);
     let after = case.line[parting.section + 1..].iter().map(whole);
     vec![
-        SystemLine {
+        ConvertedLine {
             name: BESIDE[0],
             sections: before.chain(part(parting.before)).collect(),
         },
-        SystemLine {
+        ConvertedLine {
             name: BESIDE[1],
             sections: part(behind).chain(after).collect(),
         },
@@ -108,7 +109,11 @@ pub(super) fn lines(case: &Case) -> Vec<SystemLine<'_>> {
 }
 
 /// The line that an end of a section of the case is on.
-pub(super) fn line_of<'c>(case: &'c Case, section: &str, end: LineEnd) -> Option<SystemLine<'c>> {
+pub(super) fn line_of<'c>(
+    case: &'c Case,
+    section: &str,
+    end: LineEnd,
+) -> Option<ConvertedLine<'c>> {
     let mut all = lines(case).into_iter().filter(|line| line.has(section));
     match end {
         LineEnd::A => all.next(),

@@ -23,7 +23,7 @@ pub(super) fn translated(source: &LineSource<'_>, path: &str) -> Option<String> 
         [
             "output",
             "interval_s" | "shape_interval_s" | "response_from_s",
-        ] => source.is_in_time().then(|| path.to_owned()),
+        ] => Some(path.to_owned()),
         ["line", section, key @ ("length_m" | "segments")] => of_section(source, section, key),
         [table @ ("floats" | "modules" | "clumps"), name, key] => {
             of_attached(source, (table, name), key)

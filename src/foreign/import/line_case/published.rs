@@ -29,22 +29,12 @@ const KEPT: [&str; 14] = [
     "greatest_percent",
 ];
 
-/// Statistics that are the value itself of a single state.
-const ONE_STATE: [Statistic; 4] = [
-    Statistic::Mean,
-    Statistic::Max,
-    Statistic::Min,
-    Statistic::Final,
-];
-
 /// A result of a case: what it is of, what is taken of that, within which window or stretch, which of several.
 struct CaseResult<'c> {
     of: &'c Subject,
     statistic: Statistic,
     within: Option<[f64; 2]>,
     nth: Option<usize>,
-    /// Whether it is within a window of time.
-    has_window: bool,
 }
 
 impl<'c> CaseResult<'c> {
@@ -54,7 +44,6 @@ impl<'c> CaseResult<'c> {
             statistic: row.statistic,
             within: row.within(),
             nth: row.nth,
-            has_window: row.window_s.is_some(),
         }
     }
 
@@ -64,15 +53,11 @@ impl<'c> CaseResult<'c> {
             statistic: row.statistic,
             within: row.within(),
             nth: row.nth,
-            has_window: row.window_s.is_some(),
         }
     }
 
-    /// The quantity of a system that it is: at rest, or of its run in time.
+    /// The quantity of the run of a system that it is.
     fn quantity(&self, source: &LineSource<'_>) -> Option<String> {
-        if !source.is_in_time() {
-            return self.at_rest(source);
-        }
         let of = match self.of {
             Subject::Channel(id) => Subject::Channel(channels::translated(source, id)?),
             Subject::Line(quantity) if lines(&source.case).len() == 1 => {
@@ -83,24 +68,6 @@ impl<'c> CaseResult<'c> {
         };
         let id = QuantityId::new(of, self.statistic, self.within).numbered(self.nth);
         Some(id.to_string())
-    }
-
-    fn at_rest(&self, source: &LineSource<'_>) -> Option<String> {
-        let Subject::Channel(id) = self.of else {
-            return None;
-        };
-        if self.has_window || !ONE_STATE.contains(&self.statistic) {
-            return None;
-        }
-        let found = channels::translated(source, id)?;
-        // At rest the tension of a system is the force on the end, with the shear of a line that bends.
-        if id.quantity == ChannelQuantity::Tension && source.bends() {
-            return None;
-        }
-        let at_rest = [ChannelQuantity::Tension, ChannelQuantity::OnBed];
-        let is_known = at_rest.contains(&found.quantity)
-            || ChannelQuantity::POSITION.contains(&found.quantity);
-        is_known.then(|| found.to_string())
     }
 }
 
@@ -151,7 +118,7 @@ fn channel_of(row: &Published) -> Option<&ChannelId> {
 fn channel(source: &LineSource<'_>, curve: &PublishedCurve) -> Option<ChannelId> {
     let is_plain = curve.at.is_none() && curve.period_s.is_none() && curve.window_s.is_none();
     let found = channels::translated(source, &curve.channel);
-    found.filter(|_| is_plain && source.is_in_time())
+    found.filter(|_| is_plain)
 }
 
 /// Whether a published curve, value or trend is of a force on an end.

@@ -42,10 +42,7 @@ pub(super) fn write(system: &mut CaseText<'_>, source: &LineSource<'_>) {
     if let Some(node) = solver {
         copy_keys(system, source, node, &[]);
     }
-    if !source.is_in_time() {
-        return;
-    }
-    if source.node(&["solver", "duration_s"]).is_none() {
+    if source.is_in_time() && source.node(&["solver", "duration_s"]).is_none() {
         let duration = format!("{:?}", source.case.solver.duration_s);
         system.assumed("duration_s", &duration, "as a case leaves it out");
     }

@@ -85,8 +85,5 @@ fn at_rest(source: &LineSource<'_>) -> Vec<String> {
     if is_given && !start::is_searched_from(source) {
         remarks.push("The search for the equilibrium begins where the system puts it, not at the start of the case.".to_owned());
     }
-    if source.case.current.is_none() && !source.bends() {
-        remarks.push("In still water a line at rest is its closed form, on a bed that does not yield, not its segments.".to_owned());
-    }
     remarks
 }

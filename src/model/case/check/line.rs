@@ -90,16 +90,16 @@ fn names(case: &CaseKeys<'_>) -> Vec<Finding> {
 pub type CheckedSection<'k> = (Option<&'k str>, Option<f64>);
 
 /// Tables of a list, by their names.
-type Named<K> = [(String, K)];
+type NamedTable<K> = [(String, K)];
 
 /// Checks of floats, modules and bodies on the sections of a line of a kind of file.
 pub fn of_attachments(
     sections: &[CheckedSection<'_>],
     of: &str,
     (floats, modules, clumps): (
-        &Named<FloatsKeys<'_>>,
-        &Named<ModulesKeys<'_>>,
-        &Named<ClumpKeys<'_>>,
+        &NamedTable<FloatsKeys<'_>>,
+        &NamedTable<ModulesKeys<'_>>,
+        &NamedTable<ClumpKeys<'_>>,
     ),
 ) -> Vec<Finding> {
     let line = CheckedLine { sections, of };

@@ -38,7 +38,7 @@ pub(crate) use seacable_keys::check::{
 };
 pub use solver::{of_companions, of_longest_step};
 pub use start::of_line_start;
-pub use studies::{of_studies, of_study, of_study_point};
+pub use studies::{of_studies, of_study, of_study_point, two_others};
 pub use taken::of_result;
 pub use trials::of_trials;
 

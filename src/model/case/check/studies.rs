@@ -5,7 +5,7 @@ use super::{unknown, used_twice};
 use crate::case::diagnostic::Finding;
 use crate::case::fields::{Schema, number};
 use crate::case::model::{AtKeys, StudyKeys, StudyValue};
-use crate::case::schema::Key;
+use crate::case::schema::{Key, TableNode};
 use crate::case::tree::TomlNode;
 
 /// The studies of a file of this kind: names of their own, keys that exist and take one value, and values in their range.
@@ -71,4 +71,16 @@ pub fn of_study_point(studies: &[(String, StudyKeys<'_>)], at: &AtKeys<'_>) -> O
         problem,
         format!("the study's values are {}", list.join(", ")),
     ))
+}
+
+/// A fault where two of three keys are given that each hold a row against another number.
+#[must_use]
+pub fn two_others(table: &TableNode<'_>, keys: [&str; 3]) -> Option<Finding> {
+    let mut given = keys.iter().filter_map(|key| table.node.entry(key));
+    let (first, _) = (given.next()?, given.next()?);
+    let problem = "the row is held against two other numbers at once";
+    let [by, ratio, change] = keys;
+    let remedy = format!("keep one of {change}, {ratio} and {by}");
+    let key = table.key("ratio_to");
+    Some(Finding::new(&first.key_span, key, problem, remedy))
 }

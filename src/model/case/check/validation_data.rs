@@ -3,14 +3,13 @@
 use super::checks::of_checks;
 use super::load_cases::of_load_cases;
 use super::recorded;
-use super::studies::{of_studies, of_study, of_study_point};
+use super::studies::{of_studies, of_study, of_study_point, two_others};
 use super::taken::{number as number_of, stretch, suits, window};
 use super::unknown_name;
 use crate::case::diagnostic::Finding;
 use crate::case::model::{CASE, CaseKeys, PublishedCurveKeys, PublishedKeys, TrendKeys};
 use crate::case::schema::{Key, KeyValue};
 use crate::case::{ChannelId, ChannelQuantity, LineQuantity};
-use crate::published::number::two_others;
 
 /// Checks of studies, published values and trends.
 pub(super) fn check(case: &CaseKeys<'_>) -> Vec<Finding> {

@@ -144,7 +144,7 @@ impl Sweep {
             SweepResults::InTime(_) => {
                 let solved = solve(studied::read(base, &[])?.content);
                 let solved = solved.map_err(|why| why.problem)?;
-                let solver = solved.file.in_time().cloned().unwrap_or_default();
+                let solver = solved.file.as_run().cloned().unwrap_or_default();
                 SystemInTime::new(Arc::new(solved), solver).finer_keys(finer)
             }
             SweepResults::AtRest(_) => {

@@ -37,7 +37,7 @@ impl SweepResults {
     /// # Errors
     /// A name that is no result, or why the system cannot be computed.
     pub fn of_system(solved: &SolvedSystem, names: &[String]) -> Result<Self, String> {
-        if solved.file.in_time().is_some() {
+        if solved.file.as_run().is_some() {
             return in_time(solved, names).map(Self::InTime);
         }
         if names.is_empty() {

@@ -380,11 +380,40 @@ fn is_dynamic(material: &Material) -> bool {
 pub fn quantities(solved: &SolvedSystem) -> Vec<ChannelQuantity> {
     let network = &solved.network;
     let mut all = vec![ChannelQuantity::Tension];
+    all.extend(of_what_moves(network));
+    let on_lines = of_bodies_on_lines(network).filter(|one| !all.contains(one));
+    let on_lines: Vec<ChannelQuantity> = on_lines.collect();
+    all.extend(on_lines);
+    if network.bodies.iter().any(|body| body.pinned) {
+        all.extend(ChannelQuantity::PIN_FORCE);
+    }
+    all.extend(along_bed(solved));
+    let waves = network.sea.is_some();
+    all.extend(waves.then_some(ChannelQuantity::WaveElevation));
+    all.extend((!network.payouts.is_empty()).then_some(ChannelQuantity::Length));
+    let mut lines = network.lines.iter();
+    if lines.any(|line| [0, 1].iter().any(|end| is_clamped(line, *end))) {
+        all.extend(ChannelQuantity::BENDING);
+    }
+    let parts = solved.file.lines.iter();
+    let parts: Vec<_> = parts
+        .flat_map(|line| parts_of(&solved.file, line))
+        .collect();
+    if parts.iter().any(|part| is_dynamic(&part.material)) {
+        all.extend(ChannelQuantity::ROPE);
+    }
+    let is_pipe = parts.iter().any(|part| part.material.bore.is_some());
+    all.extend(is_pipe.then_some(ChannelQuantity::WallTension));
+    all
+}
+
+/// Those of points and bodies that move.
+fn of_what_moves(network: &Network) -> Vec<ChannelQuantity> {
+    let mut all = Vec::new();
     let bodies_move = network.bodies.iter().any(is_moving);
-    let points = &network.points;
-    let points_move = points
-        .iter()
-        .any(|point| point.motion.is_some() || matches!(point.held, Held::Free(_)));
+    let mut points = network.points.iter();
+    let points_move =
+        points.any(|point| point.motion.is_some() || matches!(point.held, Held::Free(_)));
     if bodies_move || points_move {
         all.extend(ChannelQuantity::POSITION);
     }
@@ -400,45 +429,27 @@ pub fn quantities(solved: &SolvedSystem) -> Vec<ChannelQuantity> {
     if network.bed.is_some() && (feet || network.free_points().any(bears)) {
         all.push(ChannelQuantity::BedForce);
     }
-    let mut on_lines = network.lines.iter().flat_map(|line| &line.bodies);
-    if on_lines.any(|body| body.name.is_some()) {
-        let of_bed = network.bed.is_some().then_some(ChannelQuantity::BedForce);
-        let more = ChannelQuantity::POSITION.into_iter().chain(of_bed);
-        let more: Vec<_> = more.filter(|one| !all.contains(one)).collect();
-        all.extend(more);
-    }
-    if network.bodies.iter().any(|body| body.pinned) {
-        all.extend(ChannelQuantity::PIN_FORCE);
-    }
+    all
+}
+
+/// Those of bodies with names that are attached to lines.
+fn of_bodies_on_lines(network: &Network) -> impl Iterator<Item = ChannelQuantity> {
+    let mut bodies = network.lines.iter().flat_map(|line| &line.bodies);
+    let is_named = bodies.any(|body| body.name.is_some());
+    let of_bed = network.bed.is_some().then_some(ChannelQuantity::BedForce);
+    let all = ChannelQuantity::POSITION.into_iter().chain(of_bed);
+    all.filter(move |_| is_named)
+}
+
+/// Those of lines that may lie and slide on the bed.
+fn along_bed(solved: &SolvedSystem) -> impl Iterator<Item = ChannelQuantity> {
+    let network = &solved.network;
     let reaches = (0..network.lines.len()).any(|line| may_reach(network, line));
-    all.extend(reaches.then_some(ChannelQuantity::OnBed));
     let bed = solved.file.seabed.as_ref();
     let by_grip = bed.is_some_and(|bed| bed.friction_law == FrictionLaw::Grip);
     let mut lines = network.lines.iter().enumerate();
     let slides = lines.any(|(number, line)| line.is_rough() && may_reach(network, number));
-    all.extend((by_grip && slides).then_some(ChannelQuantity::Sliding));
-    all.extend(
-        network
-            .sea
-            .is_some()
-            .then_some(ChannelQuantity::WaveElevation),
-    );
-    all.extend((!network.payouts.is_empty()).then_some(ChannelQuantity::Length));
-    let lines = network.lines.iter();
-    if lines
-        .flat_map(|line| [0, 1].map(|end| is_clamped(line, end)))
-        .any(|clamped| clamped)
-    {
-        all.extend(ChannelQuantity::BENDING);
-    }
-    let parts = solved.file.lines.iter();
-    let parts: Vec<_> = parts
-        .flat_map(|line| parts_of(&solved.file, line))
-        .collect();
-    if parts.iter().any(|part| is_dynamic(&part.material)) {
-        all.extend(ChannelQuantity::ROPE);
-    }
-    let is_pipe = parts.iter().any(|part| part.material.bore.is_some());
-    all.extend(is_pipe.then_some(ChannelQuantity::WallTension));
-    all
+    let lies = reaches.then_some(ChannelQuantity::OnBed);
+    let slides = (by_grip && slides).then_some(ChannelQuantity::Sliding);
+    lies.into_iter().chain(slides)
 }

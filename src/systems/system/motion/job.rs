@@ -19,7 +19,7 @@ pub fn request(
     file: String,
     overrides: Vec<String>,
 ) -> Option<SystemRequest> {
-    let motion = solved.file.in_time()?.clone();
+    let motion = solved.file.as_run()?.clone();
     let text = with_files(text, &solved.file.files).into_owned();
     Some(Request {
         case: SystemInTime::new(solved, motion),

@@ -15,6 +15,7 @@ use crate::system::SolvedSystem;
 use crate::system::build::{AgedParts, build, divide};
 use crate::system::equilibrium::weight_of_bodies;
 use crate::system::freedoms::{Freedoms, Placement, UnknownBodies};
+use crate::system::initial::{BodyInitial, PointInitial};
 use crate::system::line_at_rest::LineAtRest;
 use crate::system::model::SystemFile;
 use crate::system::network::{Held, Network};
@@ -109,6 +110,9 @@ fn divided_at_rest(solved: &SolvedSystem, segment: f64) -> Result<DividedAtRest,
     let none = AgedParts::new();
     let parts = solved.age.as_ref().map_or(&none, |age| &age.parts);
     let (file, mut network) = of_mesh(solved, parts, segment)?;
+    if file.is_run_at_rest() {
+        leave_motion_out(&mut network);
+    }
     move_to_start(&mut network);
     let closed = held(&network);
     let mut placement = breaks::placed(solved, &closed);
@@ -149,6 +153,23 @@ fn of_mesh(
         false => build(&whole, parts).map_err(not_divided)?,
     };
     Ok((whole, network))
+}
+
+/// Leaves out what only a run in time begins with or is moved by.
+fn leave_motion_out(network: &mut Network) {
+    for point in &mut network.points {
+        point.motion = None;
+        if let Held::Free(free) = &mut point.held {
+            free.initial = PointInitial::default();
+        }
+    }
+    for body in &mut network.bodies {
+        body.motion = None;
+        body.initial = BodyInitial::default();
+    }
+    for line in &mut network.lines {
+        line.start = None;
+    }
 }
 
 /// Puts what is moved where it is at time zero.

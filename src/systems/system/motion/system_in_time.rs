@@ -23,6 +23,7 @@ use crate::run::Settings;
 use crate::run::computation::{Computation, first};
 use crate::run::compute::{Computed, INERTIA_LEFT_OUT};
 use crate::run::event::{JobEvent, Listener};
+use crate::run::lines_along::LinesAlong;
 use crate::run::refinable::Refinable;
 use crate::run::response::AskedResponse;
 use crate::run::settings::{SceneBounds, refused};
@@ -97,11 +98,12 @@ impl SystemInTime {
     pub(super) fn plan(&self, begun: &Start) -> MotionPlan {
         let (file, given) = (&self.solved.file, &self.motion);
         let window = file.statistics.settled_window(given.duration_s);
+        let window = window.filter(|_| given.is_in_time());
         MotionPlan {
             recorded: MotionResults {
                 settled_from_s: window.map(|[from, _]| from),
                 stated: self.stated(begun),
-                response: asked_response(file),
+                response: asked_response(file).filter(|_| given.is_in_time()),
                 shape_interval_s: Some(file.output.shape_interval_s),
             },
             ..MotionPlan::new(given, file.output.interval_s, &begun.system)
@@ -114,7 +116,7 @@ impl Computation for SystemInTime {
 
     fn of_stored(text: &str, file: &str) -> Result<Self, String> {
         let solved = kind::parse_stored::<SystemFile>(text, file).map_err(|all| first(&all))?;
-        let motion = solved.file.in_time().cloned();
+        let motion = solved.file.as_run().cloned();
         let motion = motion.ok_or("its case.toml has no run in time")?;
         Ok(Self::new(Arc::new(solved), motion))
     }
@@ -169,7 +171,7 @@ impl Computation for SystemInTime {
             Err(why) => return Computed::failed(in_words(&why)),
         };
         let plan = self.plan(begun);
-        if let Err(why) = check_steps(&plan.settings) {
+        if let Err(why) = check_steps(&plan) {
             return Computed::failed(in_words(&why));
         }
         let events: Listener<'_> = match events {
@@ -183,7 +185,10 @@ impl Computation for SystemInTime {
             }
             None => None,
         };
-        let (along, missing) = counted_along(&self.solved, &begun.system);
+        let (along, missing) = match self.motion.is_in_time() {
+            true => counted_along(&self.solved, &begun.system),
+            false => (LinesAlong::default(), Vec::new()),
+        };
         let counting = Start {
             along,
             ..begun.clone()
@@ -210,9 +215,9 @@ fn in_words(why: &UnsolvedSystem) -> String {
     format!("{}; {}", why.problem, why.remedy)
 }
 
-/// Checks that the steps are not too many, and stable.
-pub(super) fn check_steps(settings: &Settings) -> Result<(), UnsolvedSystem> {
-    match refused(settings) {
+/// Checks that the steps are not too many, and stable; a run at rest has none.
+pub(super) fn check_steps(plan: &MotionPlan) -> Result<(), UnsolvedSystem> {
+    match refused(&plan.settings).filter(|_| plan.solver.is_in_time()) {
         None => Ok(()),
         Some((problem, remedy)) => Err(UnsolvedSystem {
             problem,

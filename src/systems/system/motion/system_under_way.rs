@@ -91,7 +91,10 @@ pub(super) fn compute<'a>(
     };
     let start = MarchStart::at_rest(from, work);
     let mut marching = Marching::new(subject, state, march, recorder, start);
-    let outcome = marching.run();
+    let outcome = match motion.solver.method {
+        Method::Static => marching.record_alone(work),
+        _ => marching.run(),
+    };
     let cost = Cost {
         cpu_s: cpu_time() - cpu,
         wall_s: clock.elapsed().as_secs_f64(),
@@ -126,7 +129,7 @@ pub(super) fn compute<'a>(
 fn plan(begun: &Start, channels: &Channels, motion: &MotionPlan) -> RecorderPlan {
     let (settings, recorded) = (&motion.settings, &motion.recorded);
     // Without inertia no energy balances.
-    let balances = motion.solver.method != Method::Quasi;
+    let balances = !matches!(motion.solver.method, Method::Quasi | Method::Static);
     let duration = settings.duration_s;
     let output_times = OutputTimes::new(duration, settings.output_interval_s);
     let window = recorded.settled_from_s.map(|from| [from, duration]);
@@ -202,7 +205,7 @@ pub(super) fn profiles(system: &MovingSystem, state: &SystemState) -> Vec<Profil
 fn bodies(system: &MovingSystem, state: &SystemState, method: Method) -> Vec<MovingBody> {
     let bodies = moving_bodies(system, state).into_iter();
     match method {
-        Method::Quasi => bodies.map(|body| body.massless()).collect(),
+        Method::Quasi | Method::Static => bodies.map(|body| body.massless()).collect(),
         _ => bodies.collect(),
     }
 }
