@@ -359,7 +359,7 @@ friction = 0.4
     };
     assert!((elevation(&solved) - elevation(&read)).abs() < 1e-10);
     assert_eq!(read.file.waves.len(), 3);
-    assert_eq!(read.file.seabed.as_ref().unwrap().friction, 0.4);
+    assert_eq!(read.file.seabed.as_ref().unwrap().friction, Some(0.4));
     fs::remove_dir_all(&folder).unwrap();
     // MoorDyn has one coefficient.
     let text = format!("{text}friction_lateral = 0.8\n");

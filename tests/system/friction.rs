@@ -118,7 +118,7 @@ fn moordyn_of_openfast_has_two_coefficients() {
         let bed = imported(&format!("{MOORDYN}{options}")).seabed.unwrap();
         assert_eq!(
             (bed.friction, bed.friction_lateral),
-            (along, across),
+            (Some(along), across),
             "{options}"
         );
     }
@@ -132,6 +132,6 @@ fn a_deck_of_cable_dyn_has_friction_across() {
         let bed = imported(&text.replace("1e5 kBot\n", &options))
             .seabed
             .unwrap();
-        assert_eq!((bed.friction, bed.friction_lateral), (0.3, across));
+        assert_eq!((bed.friction, bed.friction_lateral), (Some(0.3), across));
     }
 }

@@ -227,7 +227,11 @@ pub fn current_by_file(file: &SystemFile) -> Option<(&'static str, &str, &str)> 
 /// The friction of the bed that all lines have, as `MoorDyn` knows it; that of the bed where they differ.
 #[must_use]
 pub fn common_friction(file: &SystemFile) -> f64 {
-    let of_bed = file.seabed.as_ref().map_or(0.0, |bed| bed.friction);
+    let of_bed = file
+        .seabed
+        .as_ref()
+        .and_then(|bed| bed.friction)
+        .unwrap_or(0.0);
     let mut lines = file.lines.iter().map(|line| file.friction_under(line)[0]);
     let Some(first) = lines.next() else {
         return of_bed;

@@ -45,10 +45,9 @@ pub use sea::{
     DecayName, DragLength, SpectrumName, StretchingName, WaterSurface, WaveKind, WaveLoadName,
     Waves,
 };
-pub(crate) use settings::SeabedKeys;
 pub use settings::{
-    BedInterpolation, FrictionLaw, Method, Modes, Output, Seabed, Solver, Start, StartKeys,
-    StartShape,
+    BedInterpolation, FrictionLaw, Method, Modes, Output, Seabed, SeabedKeys, Solver, Start,
+    StartKeys, StartShape,
 };
 pub(crate) use validation_data::{
     AtKeys, PublishedCurveKeys, PublishedKeys, StudyKeys, TrendKeys, TrialKeys,

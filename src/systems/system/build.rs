@@ -11,7 +11,7 @@ use super::discretised::{DiscretisedLine, LineForm};
 use super::initial::{BodyInitial, PointInitial};
 use super::model::{
     BodyInputs, BodyKind, HeadingLoadInputs, LineInputs, MemberInputs, PointInputs, PointKind,
-    StartPlacement, SystemBed, SystemFile,
+    StartPlacement, SystemFile,
 };
 use super::motion::broken_names::is_between;
 use super::motion::inputs::{body_motion, point_motion};
@@ -26,7 +26,7 @@ use super::point_on_bed::BearingArea;
 use super::pose::{Pose, cross};
 use super::potential_flow::{PotentialFlow, RadiationTable, responses::excitation};
 use super::rods;
-use crate::case::{FrictionLaw, Material, Start, current_grid, depth_grid};
+use crate::case::{FrictionLaw, Material, Seabed, Start, current_grid, depth_grid};
 use crate::numerics::{M3, V3};
 use crate::physics::sea::Sea;
 use crate::physics::{CurrentGrid, Suction};
@@ -174,7 +174,7 @@ fn bodies(
             },
             motion: response.map(|found| found.motion).or(built.motion),
             added_mass: slow.map_or(built.added_mass, RadiationTable::slow),
-            slip_speed: file.seabed.as_ref().and_then(SystemBed::slip_speed),
+            slip_speed: file.seabed.as_ref().and_then(Seabed::slip_speed),
             ..built
         };
         let floating = sea.filter(|_| built.free);
@@ -302,7 +302,7 @@ impl Builder<'_> {
                 at: *at,
                 bears: FreePoint {
                     friction: given.bed_friction,
-                    slip_speed: self.file.seabed.as_ref().and_then(SystemBed::slip_speed),
+                    slip_speed: self.file.seabed.as_ref().and_then(Seabed::slip_speed),
                     bearing: Some(bearing),
                     suction,
                     ..FreePoint::default()
@@ -337,7 +337,7 @@ impl Builder<'_> {
                 drag_area: per_axis(&given.drag_area_m2),
                 load: V3::from(given.load_n),
                 friction: given.bed_friction,
-                slip_speed: self.file.seabed.as_ref().and_then(SystemBed::slip_speed),
+                slip_speed: self.file.seabed.as_ref().and_then(Seabed::slip_speed),
                 below: given.bottom_m,
                 bearing: self.bearing(given),
                 suction: self.suction(given),

@@ -1,8 +1,8 @@
 //! Checks of the bed of a system: keys of its shape without effect, places below a level bed.
 
-use super::model::{LineKeys, PointKeys, SystemBedKeys, SystemKeys};
+use super::model::{LineKeys, PointKeys, SystemKeys};
 use crate::case::schema::Key;
-use crate::case::{BedShapeKeys, Finding, FrictionKeys};
+use crate::case::{BedShapeKeys, Finding, FrictionKeys, SeabedKeys};
 
 /// Keys of a bed without a grid of depths that have no effect.
 pub(super) fn bed(keys: &SystemKeys<'_>) -> Vec<Finding> {
@@ -22,7 +22,7 @@ pub(super) fn bed(keys: &SystemKeys<'_>) -> Vec<Finding> {
 }
 
 /// Keys of the bed's friction that have no effect where neither it nor a line has any.
-fn friction(keys: &SystemKeys<'_>, bed: &SystemBedKeys<'_>) -> Vec<Finding> {
+fn friction(keys: &SystemKeys<'_>, bed: &SeabedKeys<'_>) -> Vec<Finding> {
     let mut lines = keys.lines.iter();
     let is_rough = bed.friction.is_given() || lines.any(|(_, line)| line.friction.is_given());
     let across = keys.lines.iter().map(|(_, line)| &line.friction_lateral);

@@ -4,7 +4,7 @@
 use std::sync::{Arc, OnceLock};
 
 use super::line_at_rest::{LineAtRest, LineNote};
-use super::model::{LineInputs, SystemBed, SystemFile};
+use super::model::{LineInputs, SystemFile};
 use super::parts::{Part, is_crossed, parts};
 use crate::case::{
     Case, Clump, DynamicStiffness, End, Ends, Floats, Method, Modules, Seabed, Section,
@@ -119,7 +119,7 @@ impl DiscretisedLine {
             return Ok(None);
         }
         let line = Arc::new(Self::of_parts(file, line, parts));
-        let is_flat = file.seabed.as_ref().is_none_or(SystemBed::is_level);
+        let is_flat = file.seabed.as_ref().is_none_or(Seabed::is_level);
         if form == LineForm::Divided || !is_flat {
             line.element()?;
         }

@@ -4,10 +4,9 @@
 //! be meant, so that each is a remark, with the names of all parts it is true of, and what would let them feel it.
 
 use super::bounds::Contact;
-use super::model::SystemBed;
 use super::network::{Body, FreePoint, Held, Line, Network};
 use super::solved::SolvedSystem;
-use crate::case::{Clump, FrictionLaw, OneOrMany};
+use crate::case::{Clump, FrictionLaw, OneOrMany, Seabed};
 use crate::numerics::V3;
 
 /// Names that a remark lists.
@@ -32,7 +31,7 @@ pub fn loads_without_effect(solved: &SolvedSystem) -> Vec<String> {
         .file
         .seabed
         .as_ref()
-        .is_some_and(|bed| bed.friction > 0.0 || bed.friction_lateral > Some(0.0))
+        .is_some_and(|bed| bed.friction > Some(0.0) || bed.friction_lateral > Some(0.0))
     {
         found.extend(friction(solved));
     }
@@ -287,7 +286,7 @@ fn friction_by_velocity(solved: &SolvedSystem) -> Option<String> {
         file,
         ..
     } = solved;
-    let by_velocity = |bed: &SystemBed| bed.friction_law == FrictionLaw::Zhu2017;
+    let by_velocity = |bed: &Seabed| bed.friction_law == FrictionLaw::Zhu2017;
     file.seabed.as_ref().filter(|bed| by_velocity(bed))?;
     let lines = network.lines.iter().zip(&rest.balance.lines);
     let lines = lines.filter(|(line, at_rest)| !line.is_buoyant() && at_rest.on_bed() > 0.0);

@@ -17,12 +17,10 @@ use crate::case::fields::ValueType::{Name, NumberOrTriple};
 use crate::case::fields::{Conditions, of, positive};
 use crate::case::schema::{table, words};
 use crate::case::{
-    Attachment, BedInterpolation, CheckInputs, Clump, Current, Environment, Floats, FrictionLaw,
-    LoadCaseInputs, Mark, Material, Modules, MotionInterpolation, OneOrMany, Solver, Start,
-    StatisticsInputs, Study, Trial, Waves,
+    Attachment, CheckInputs, Clump, Current, Environment, Floats, LoadCaseInputs, Mark, Material,
+    Modules, MotionInterpolation, OneOrMany, Seabed, Solver, Start, StatisticsInputs, Study, Trial,
+    Waves,
 };
-use crate::numerics::V3;
-use crate::physics::ElasticBed;
 use crate::reference::{PublishedHistory, PublishedNumber, PublishedTrend};
 
 const BEARING: Conditions = &[("kind", &["free", "body"])];
@@ -46,7 +44,7 @@ table! {
         /// A wind on bodies that state their loads by it.
         wind: Option<SystemWind>;
         /// The sea bed; absent means that none is in reach.
-        seabed: Option<SystemBed>;
+        seabed: Option<Seabed>;
         /// What the lines are made of, by name.
         materials: BTreeMap<String, Material>;
         /// The bodies that points are on, by name.
@@ -115,39 +113,6 @@ table! {
     }
 }
 
-table! {
-    /// A sea bed: level, sloping evenly, or with depths over a grid of places; rigid below lines at rest that are closed forms.
-    #[derive(Debug, Clone, PartialEq)]
-    pub struct SystemBed => SystemBedKeys {
-        /// Depth of the bed below still water, at depth_at_m where it slopes; with depth_file that which waves feel.
-        depth_m: f64, "depth", range of(0.0, 2e4);
-        /// Where the bed has that depth, x and y; matters on a slope.
-        depth_at_m: [f64; 2] = [0.0, 0.0], "place of the depth", range of(-1e6, 1e6);
-        /// How steeply the bed rises towards slope_azimuth_deg; negative where it falls. It pushes along its normal, by the depth along that.
-        slope_deg: f64 = 0.0, "slope", range of(-80.0, 80.0);
-        /// Direction in which the bed rises, from +x towards +y.
-        slope_azimuth_deg: f64 = 0.0, "slope azimuth", range of(-360.0, 360.0);
-        /// CSV file of depths, x_m,y_m,depth_m on a rectangular grid, in the place of level and slope; beyond it its edge.
-        depth_file: Option<String>, "file of depths", absent "the bed is level or a plane";
-        /// How the depth goes between the places of that file.
-        interpolation: BedInterpolation = BedInterpolation::Smooth, "interpolation";
-        /// Axial friction under a line that lies from its end on the bed: tension lost by the weight that the bed bears.
-        friction: f64 = 0.0, "friction", range of(0.0, 10.0);
-        /// Friction across lines: on lines divided into segments, in motion all.
-        friction_lateral: Option<f64>, "friction across", range of(0.0, 10.0), absent "as along the line";
-        /// Grip holds at rest and slides beyond; zhu-2017 goes with the velocity and holds nothing.
-        friction_law: FrictionLaw = FrictionLaw::Grip, "friction law";
-        /// Friction per area of line and distance pulled, before it slides.
-        grip_stiffness_n_per_m3: Option<f64>, "grip stiffness", range positive(1e12), absent "as the stiffness";
-        /// Below it friction by zhu-2017 is in proportion to the speed.
-        slip_speed_m_per_s: f64 = 0.01, "slip speed", range positive(10.0);
-        /// Push of the bed per area of line and depth below it; on lines divided into segments, in motion all.
-        stiffness_n_per_m3: f64 = 1.0e5, "stiffness", range positive(1e12);
-        /// Push of the bed per area of line and speed into it, in motion.
-        damping_n_s_per_m3: f64 = 0.0, "damping", range of(0.0, 1e12);
-    }
-}
-
 impl SystemFile {
     /// How a run of the system is computed, in time or of its rest on the mesh; nothing of one whose rest alone is worked out.
     #[must_use]
@@ -171,40 +136,11 @@ impl SystemFile {
     #[must_use]
     pub fn friction_under(&self, line: &LineInputs) -> [f64; 2] {
         let bed = self.seabed.as_ref();
-        let along = line.friction.or(bed.map(|bed| bed.friction));
+        let along = line.friction.or(bed.and_then(|bed| bed.friction));
         let along = along.unwrap_or(0.0);
         let across = line.friction_lateral;
         let across = across.or(bed.and_then(|bed| bed.friction_lateral));
         [along, across.unwrap_or(along)]
-    }
-}
-
-impl SystemBed {
-    /// Its slip speed, where its friction goes by the velocity \[m/s\].
-    #[must_use]
-    pub fn slip_speed(&self) -> Option<f64> {
-        (self.friction_law == FrictionLaw::Zhu2017).then_some(self.slip_speed_m_per_s)
-    }
-
-    /// Whether it is level.
-    #[must_use]
-    pub fn is_level(&self) -> bool {
-        self.depth_file.is_none() && self.slope_deg == 0.0
-    }
-
-    /// Height of a sloping plane at x = y = 0 \[m\] and its unit normal; nothing where it does not slope.
-    #[must_use]
-    pub fn plane(&self) -> Option<(f64, V3)> {
-        ElasticBed::plane(
-            (self.depth_m, self.depth_at_m),
-            [self.slope_deg, self.slope_azimuth_deg].map(f64::to_radians),
-        )
-    }
-
-    /// The file of depths that it names, and how the depth goes between its places.
-    #[must_use]
-    pub fn depths(&self) -> (Option<&str>, BedInterpolation) {
-        (self.depth_file.as_deref(), self.interpolation)
     }
 }
 

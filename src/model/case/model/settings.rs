@@ -2,6 +2,8 @@
 
 use crate::case::fields::{Conditions, of, positive};
 use crate::case::schema::{table, words};
+use crate::numerics::V3;
+use crate::physics::ElasticBed;
 
 const STRAIGHT: Conditions = &[("shape", &["straight"])];
 
@@ -37,6 +39,27 @@ impl Seabed {
         let along = self.friction.is_some_and(|friction| friction > 0.0);
         let across = self.friction_lateral.is_some_and(|friction| friction > 0.0);
         self.friction_law == FrictionLaw::Grip && (along || across && self.friction.is_some())
+    }
+
+    /// Its slip speed, where its friction goes by the velocity \[m/s\].
+    #[must_use]
+    pub fn slip_speed(&self) -> Option<f64> {
+        (self.friction_law == FrictionLaw::Zhu2017).then_some(self.slip_speed_m_per_s)
+    }
+
+    /// Whether it is level.
+    #[must_use]
+    pub fn is_level(&self) -> bool {
+        self.depth_file.is_none() && self.slope_deg == 0.0
+    }
+
+    /// Height of a sloping plane at x = y = 0 \[m\] and its unit normal; nothing where it does not slope.
+    #[must_use]
+    pub fn plane(&self) -> Option<(f64, V3)> {
+        ElasticBed::plane(
+            (self.depth_m, self.depth_at_m),
+            [self.slope_deg, self.slope_azimuth_deg].map(f64::to_radians),
+        )
     }
 }
 
@@ -154,14 +177,14 @@ table! {
 }
 
 table! {
-    /// A sea bed: level, sloping evenly, or with depths over a grid of places.
+    /// A sea bed: level, sloping evenly, or with depths over a grid of places; rigid below lines of systems that are closed forms.
     #[derive(Debug, Clone, PartialEq)]
     pub struct Seabed => SeabedKeys {
         /// Depth of the bed below still water, at depth_at_m where it slopes; with depth_file that which waves feel.
         depth_m: f64, "depth", range of(0.0, 2e4);
         /// Where the bed has that depth, x and y; matters on a slope.
         depth_at_m: [f64; 2] = [0.0, 0.0], "place of the depth", range of(-1e6, 1e6);
-        /// How steeply the bed rises towards slope_azimuth_deg; negative where it falls.
+        /// How steeply the bed rises towards slope_azimuth_deg; negative where it falls. It pushes along its normal, by the depth along that.
         slope_deg: f64 = 0.0, "slope", range of(-80.0, 80.0);
         /// Direction in which the bed rises, from +x towards +y.
         slope_azimuth_deg: f64 = 0.0, "slope azimuth", range of(-360.0, 360.0);
@@ -169,17 +192,17 @@ table! {
         depth_file: Option<String>, "file of depths", absent "the bed is level or a plane";
         /// How the depth goes between the places of that file.
         interpolation: BedInterpolation = BedInterpolation::Smooth, "interpolation";
-        /// Push of the bed per area and depth below it.
+        /// Push of the bed per area of line and depth below it; on lines divided into segments, in motion all.
         stiffness_n_per_m3: f64 = 1.0e5, "stiffness", range positive(1e12);
-        /// Push of the bed per area and speed into it; with friction, along the bed as well.
+        /// Push of the bed per area of line and speed into it, in motion; with friction, along the bed as well.
         damping_n_s_per_m3: f64 = 0.0, "damping", range of(0.0, 1e12);
-        /// Coefficient of friction along the line, and across it unless friction_lateral is given.
+        /// Friction along lines by the weight that the bed bears, and across them unless friction_lateral is given.
         friction: Option<f64>, "friction", range of(0.0, 10.0), absent "no friction";
-        /// Coefficient of friction across the line.
+        /// Friction across lines: on lines divided into segments, in motion all.
         friction_lateral: Option<f64>, "friction across", range of(0.0, 10.0), absent "as along the line";
         /// grip holds at rest and slides beyond; zhu-2017 goes with the velocity and holds nothing.
         friction_law: FrictionLaw = FrictionLaw::Grip, "friction law";
-        /// Friction per area and distance pulled, before it slides.
+        /// Friction per area of line and distance pulled, before it slides.
         grip_stiffness_n_per_m3: Option<f64>, "grip stiffness", range positive(1e12), absent "as the stiffness";
         /// Below it friction by zhu-2017 is in proportion to the speed.
         slip_speed_m_per_s: f64 = 0.01, "slip speed", range positive(10.0);

@@ -197,7 +197,7 @@ fn without_body_added_mass(system: &mut SystemFile) {
 
 fn without_friction(system: &mut SystemFile) {
     let bed = system.seabed.iter_mut();
-    bed.for_each(|bed| (bed.friction, bed.friction_lateral) = (0.0, None));
+    bed.for_each(|bed| (bed.friction, bed.friction_lateral) = (bed.friction.map(|_| 0.0), None));
     for line in &mut system.lines {
         (line.friction, line.friction_lateral) = (line.friction.map(|_| 0.0), None);
     }

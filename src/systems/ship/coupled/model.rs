@@ -4,7 +4,7 @@
 use super::CoupledError;
 use crate::case::Solver;
 use crate::case::{
-    Attachment, Current, DragCoefficient, Environment, Material, OneOrMany, WaveKind, Waves,
+    Attachment, Current, DragCoefficient, Environment, Material, OneOrMany, Seabed, WaveKind, Waves,
 };
 use crate::numerics::V3;
 use crate::ship::hull::HullMatrices;
@@ -16,7 +16,7 @@ use crate::ship::static_analysis::{MooredEquilibrium, StaticAnalysis};
 use crate::system::SystemFile;
 use crate::system::model::{
     BodyInputs, BodyKind, DriftLoadInputs, HeadingLoadInputs, LineInputs, MotionOutput,
-    PointInputs, PointKind, SystemBed, SystemWind,
+    PointInputs, PointKind, SystemWind,
 };
 
 /// Penetration of the line into the seabed under its own weight \[m\].
@@ -140,10 +140,10 @@ impl<'a> CoupledModel<'a> {
                 water_density_kg_per_m3: particulars.water_density_kg_per_m3,
                 ..Environment::default()
             },
-            seabed: Some(SystemBed {
+            seabed: Some(Seabed {
                 depth_m: self.mooring.depth_m,
                 stiffness_n_per_m3: self.bed_stiffness(),
-                ..SystemBed::default()
+                ..Seabed::default()
             }),
             solver: Some(Solver {
                 time_step_s: Some(variant.step_s),
