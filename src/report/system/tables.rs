@@ -36,10 +36,11 @@ pub fn summary(solved: &SolvedSystem) -> String {
         network.lines.len(),
         network.points.len(),
         network.bodies.len(),
-        if solved.is_discretised() {
-            "lines in a current or with bending stiffness are divided into segments, others exact catenaries"
-        } else {
-            "exact elastic catenaries in still water"
+        match (solved.is_discretised(), solved.file.is_run_at_rest()) {
+            (true, true) => "lines are divided into the segments that they state",
+            (true, false) =>
+                "lines in a current or with bending stiffness are divided into segments, others exact catenaries",
+            (false, _) => "exact elastic catenaries in still water",
         },
         stability(solved),
         NEWTONS.write(rest.residual),
