@@ -159,7 +159,10 @@ fn pairs(case: &Case) -> Vec<(Vec<String>, String)> {
                 .payload
                 .as_ref()
                 .is_none_or(|of| of.release_s.is_none());
-        if stays && end.kind != EndKind::Fixed && end.kind != EndKind::Anchor {
+        // A moving end of a case at rest is a fixed point.
+        let moves = !end.kind.is_held()
+            || end.kind == EndKind::Moving && case.solver.method != Method::Static;
+        if stays && moves {
             let places = ["x_m", "y_m", "z_m"].map(|axis| format!("{axis}[{}]", end.name));
             pairs.extend(places.map(|name| (vec![name.clone()], name)));
         }
@@ -723,7 +726,7 @@ fn published_values_of_lines_hold_for_their_systems() {
     ];
     let found = cases().filter(|(name, _)| quick.contains(name));
     let found: Vec<(usize, usize)> = found.map(|(name, text)| published(name, text)).collect();
-    assert_eq!(found.iter().map(|(_, all)| all).sum::<usize>(), 89);
+    assert_eq!(found.iter().map(|(_, all)| all).sum::<usize>(), 82);
     assert!(found.iter().all(|(passed, all)| passed == all), "{found:?}");
 }
 

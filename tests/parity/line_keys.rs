@@ -314,22 +314,23 @@ fn the_start_of_the_line_goes_along() {
 #[test]
 fn what_acts_and_cannot_be_said_is_refused_at_its_key() {
     let line = end_of_wire();
-    let cases = [
-        (
-            "[[checks]]\nkind = \"offset\"\nof = [\"weight\"]\nlimit_m = 5.0\n",
-            3,
-            "checks.1.of",
-        ),
-        (
-            "[traveller]\nname = \"car\"\nmass_kg = 1.0\nwet_mass_kg = 1.0\nspeed_m_per_s = 1.0\nramp_s = 1.0\nfrom_m = 5.0\nto_m = 70.0\n",
-            8,
-            "traveller.to_m",
-        ),
-    ];
+    let cases = [(
+        "[[checks]]\nkind = \"offset\"\nof = [\"weight\"]\nlimit_m = 5.0\n",
+        3,
+        "checks.1.of",
+    )];
     for (more, below, key) in cases {
         let (at, found, problem) = fault(more);
         assert_eq!((at, found.as_str()), (line + below, key), "{problem}");
     }
+    let body = "[traveller]\nname = \"car\"\nmass_kg = 1.0\nwet_mass_kg = 1.0\nspeed_m_per_s = 1.0\nramp_s = 1.0\n";
+    let (at, found, problem) = fault(&format!("{body}from_m = 45.0\nto_m = 70.0\n"));
+    assert_eq!((at, found.as_str()), (24, "clumps.weight"), "{problem}");
+    let text = WIRE.replace("\"long_m\"", "40.0");
+    let text = format!("{text}{body}from_m = 5.0\nto_m = 70.0\n");
+    let found = line_case::read(&text, Path::new("wire.toml")).unwrap_err();
+    let keys: Vec<&str> = found.iter().map(|fault| fault.key.as_str()).collect();
+    assert_eq!(keys, ["traveller.to_m"]);
 }
 
 /// A body that travels parts the section that it is on, and what is recorded at the ends and of it keeps its names.

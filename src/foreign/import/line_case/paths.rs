@@ -4,6 +4,7 @@ use super::bearing::bears_by_volume;
 use super::lines::{line_at, line_of};
 use super::places::{end_of, on_free_end};
 use super::source::{LETTERS, LineSource};
+use super::start;
 use crate::case::{Case, LineEnd, Payload, split};
 
 /// The key path of the system whose value is that of a key of the case; nothing where no key of the system is.
@@ -62,6 +63,9 @@ fn of_section(source: &LineSource<'_>, section: &str, key: &str) -> Option<Strin
     let line = line_of(&source.case, section, LineEnd::A)?;
     let mut own = line.sections.iter().filter(|own| own.of.name == section);
     own.next().filter(|own| own.part.is_none())?;
+    if key == "length_m" && start::follows_from_length(source) {
+        return None;
+    }
     let name = line.name;
     Some(match line.is_one() {
         true => format!("lines.{name}.{key}"),
@@ -114,8 +118,9 @@ fn of_end(source: &LineSource<'_>, letter: &str, key: &str, axis: &[&str]) -> Op
         "position_m",
     ];
     let waves = source.case.waves.as_ref();
-    let moves_gauge = key == "position_m" && waves.is_some_and(|waves| waves.gauge_m.is_none());
-    if of_point.contains(&key) && end.kind.is_held() && !moves_gauge {
+    let moves_gauge = waves.is_some_and(|waves| waves.gauge_m.is_none());
+    let moves_more = key == "position_m" && (moves_gauge || start::follows_from_length(source));
+    if of_point.contains(&key) && end.kind.is_held() && !moves_more {
         let path = [&["points", &*end.name, key], axis].concat();
         return Some(path.join("."));
     }

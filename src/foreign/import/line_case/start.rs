@@ -58,6 +58,14 @@ pub(super) fn of_ends(system: &mut CaseText<'_>, source: &LineSource<'_>) {
     }
 }
 
+/// Whether a free end begins where a straight line from the other ends, so that its place follows from the length of the line.
+pub(super) fn follows_from_length(source: &LineSource<'_>) -> bool {
+    let case = &source.case;
+    let mut ends = [case.ends.a.kind, case.ends.b.kind].into_iter();
+    let is_straight = case.start.shape == StartShape::Straight;
+    is_in_shape(source) && is_straight && ends.any(|kind| !is_held(kind))
+}
+
 /// Where a free end of a line in a shape begins \[m\], by its letter.
 pub(super) fn place(source: &LineSource<'_>, letter: &str) -> [f64; 3] {
     let (case, start) = (&source.case, &source.case.start);
