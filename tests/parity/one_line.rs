@@ -178,7 +178,7 @@ fn at_rest_by_the_method_static() {
             "tension_n[chain|b].final",
         ),
         ("tension_n.max", "tension_n[along chain].max"),
-        ("on_bed_m.final", "on_bed_m[chain].final"),
+        ("on_bed_m[line].final", "on_bed_m[chain].final"),
     ] {
         let of = |run: &Run, name: &str| {
             let found = run.summary.iter().find(|number| number.name() == name);

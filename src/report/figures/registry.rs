@@ -169,6 +169,8 @@ enum InSystems {
 /// What decides which figures runs of a system have.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SystemContents {
+    /// Whether it is of a run in time, and not of its rest.
+    pub dynamic: bool,
     /// The quantities of its channels.
     pub recorded: Vec<ChannelQuantity>,
     /// Whether its lines bend.
@@ -363,7 +365,7 @@ impl FigureId {
         let has_lines = recorded.contains(&ChannelQuantity::Tension);
         let records = |figure: &&Figure| match figure.in_systems {
             InSystems::Never => false,
-            InSystems::Recording(quantity) => recorded.contains(&quantity),
+            InSystems::Recording(quantity) => contents.dynamic && recorded.contains(&quantity),
             InSystems::WithLines => has_lines,
             InSystems::WithBending => contents.bends,
             InSystems::WithResponse => contents.responds,

@@ -14,8 +14,8 @@ use seacable_base::number::{si, with_error};
 use seacable_display::chart::{Chart, Glyphs};
 use seacable_display::table::{Align, Cell, NumberFormat, Table};
 use seacable_model::case::{
-    ChannelQuantity, EnergyQuantity, FieldRow, LineQuantity, QuantityId, Statistic, Subject,
-    edited, kind,
+    ChannelQuantity, EnergyQuantity, FieldRow, LineQuantity, Method, QuantityId, Statistic,
+    Subject, edited, kind,
 };
 use seacable_runs::run::{Channel, Profile, Quantity, Run, edited_inputs};
 use seacable_systems::system::motion::job::STATISTICS;
@@ -213,6 +213,7 @@ fn charts(run: &Run) -> Vec<Chart> {
     });
     let recorded = run.history.channels.iter().map(|c| c.id.quantity);
     let contents = SystemContents {
+        dynamic: run.info.settings.method != Method::Static.name(),
         recorded: recorded.collect(),
         bends: run.profiles.iter().any(Profile::bends),
         responds: run.profiles.iter().any(|line| !line.rms.is_empty()),

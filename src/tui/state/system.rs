@@ -100,6 +100,7 @@ const SWEPT_AT_REST: [PaneId; 6] = [
 fn figures(solved: &SolvedSystem) -> Vec<FigureId> {
     let response = asked_response(&solved.file);
     FigureId::of_system(&SystemContents {
+        dynamic: solved.file.in_time().is_some(),
         recorded: quantities(solved),
         bends: solved.network.bends(),
         responds: response.is_some(),

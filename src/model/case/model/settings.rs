@@ -184,7 +184,7 @@ table! {
         depth_m: f64, "depth", range of(0.0, 2e4);
         /// Where the bed has that depth, x and y; matters on a slope.
         depth_at_m: [f64; 2] = [0.0, 0.0], "place of the depth", range of(-1e6, 1e6);
-        /// How steeply the bed rises towards slope_azimuth_deg; negative where it falls. It pushes along its normal, by the depth along that.
+        /// How steeply the bed rises towards slope_azimuth_deg; negative where it falls. It pushes along its normal.
         slope_deg: f64 = 0.0, "slope", range of(-80.0, 80.0);
         /// Direction in which the bed rises, from +x towards +y.
         slope_azimuth_deg: f64 = 0.0, "slope azimuth", range of(-360.0, 360.0);

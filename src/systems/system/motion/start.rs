@@ -9,6 +9,7 @@ use super::payout_border::holding;
 use super::system_state::SystemState;
 
 use super::rest_state::{at_rest, carried, lines_at_rest, longest, still};
+use crate::physics::motion::MotionPath;
 use crate::run::lines_along::LinesAlong;
 use crate::solve::{Factors, Iterated, NewtonError, Parted, StaticSearch};
 use crate::system::SolvedSystem;
@@ -158,7 +159,9 @@ fn of_mesh(
 /// Leaves out what only a run in time begins with or is moved by.
 fn leave_motion_out(network: &mut Network) {
     for point in &mut network.points {
-        point.motion = None;
+        if let Some(motion) = &mut point.motion {
+            motion.course = MotionPath::Still;
+        }
         if let Held::Free(free) = &mut point.held {
             free.initial = PointInitial::default();
         }
