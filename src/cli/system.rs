@@ -55,7 +55,7 @@ pub(super) fn system(
     }
     if args.out.is_some() {
         return Err(CommandError::Usage(
-            "Systems of lines without a table `[solver]` do not take --out: they are printed, not kept; add it with `method = \"static\"`, or redirect the output.".to_owned(),
+            "Systems of lines do not take --out without a table `[solver]`: they are printed, not kept; add it with `method = \"static\"`, or redirect the output.".to_owned(),
         ));
     }
     let searched = searched(args, &file, stop);

@@ -61,7 +61,7 @@ fn the_rest_of_a_system_is_a_run_by_the_method_static() {
         "{steps}"
     );
     assert!(steps.contains("top does not move: "), "{steps}");
-    assert!(steps.contains("tension_n[left|a]"), "{steps}");
+    assert!(steps.contains("Along the lines"), "{steps}");
     let heavier = ["--set", "points.clump.mass_kg=9000", "--out", "heavier"];
     at_rest(&heavier);
     let done = |words: &[&str], wanted: &str| {

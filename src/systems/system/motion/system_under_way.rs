@@ -26,7 +26,7 @@ use crate::run::compute::Computed;
 use crate::run::event::Listener;
 use crate::run::march::{MarchStart, Marching};
 use crate::run::method::method;
-use crate::run::observer::{LineAtEnd, NodeChange, RunEnd};
+use crate::run::observer::{LineAtEnd, NodeChange, RunEnd, RunRecord};
 use crate::run::observers::{ObservedRun, RecordedResponse, of_lines};
 use crate::run::output_times::OutputTimes;
 use crate::run::recorded::Recorded;
@@ -101,15 +101,7 @@ pub(super) fn compute<'a>(
         companions_wall_s: 0.0,
     };
     let (subject, state, recorder) = marching.into_parts();
-    let ends = recorder.fault().is_none();
-    let lines = subject.system.lines(&state);
-    let lines: Vec<LineAtEnd<'_>> = lines
-        .map(|(scene, state)| LineAtEnd {
-            scene,
-            state: ends.then_some(state),
-        })
-        .collect();
-    let record = recorder.finish(&RunEnd { lines: &lines });
+    let record = finished(recorder, &subject.system, &state);
     let mut settings = motion.settings.clone();
     let period = bounds(&subject.system).forced_period;
     set_numerical_damping(&mut settings, period, &outcome.lengths);
@@ -123,6 +115,19 @@ pub(super) fn compute<'a>(
         curves: Vec::new(),
         happened: subject.happened,
     }
+}
+
+/// The record, completed by the lines as they are at the end of the run.
+fn finished(recorder: Recorder<'_>, system: &MovingSystem, state: &SystemState) -> RunRecord {
+    let ends = recorder.fault().is_none();
+    let lines = system.lines(state);
+    let lines: Vec<LineAtEnd<'_>> = lines
+        .map(|(scene, state)| LineAtEnd {
+            scene,
+            state: ends.then_some(state),
+        })
+        .collect();
+    recorder.finish(&RunEnd { lines: &lines })
 }
 
 /// What is recorded of a run.
