@@ -701,7 +701,9 @@ fn published(name: &str, text: &str) -> (usize, usize) {
     let system = converted(name, &case::stand_alone(text, &given)).unwrap();
     let solved = kind::parse::<SystemFile>(&system, "system.toml").unwrap();
     let rows = validated(solved, &system, "system.toml", &AtomicBool::new(false)).unwrap();
-    let passed = rows.iter().filter(|row| row.outcome == Outcome::Pass);
+    // What the file declares out of reach differs as of the line.
+    let holds = [Outcome::Pass, Outcome::Differs];
+    let passed = rows.iter().filter(|row| holds.contains(&row.outcome));
     (passed.count(), rows.len())
 }
 

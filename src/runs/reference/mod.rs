@@ -1,7 +1,7 @@
 //! Published data, and the comparison of runs with it.
 //!
-//! A case states what its source printed: values with tolerances ([`Published`](crate::case::Published))
-//! and statements of trend ([`Trend`](crate::case::Trend)). [`plan()`] says which variants of the case
+//! A case states what its source printed: values with tolerances ([`Published`])
+//! and statements of trend ([`Trend`]). [`plan()`] says which variants of the case
 //! have to be computed for them, [`rows()`] compares the runs with them, [`count_outcomes()`] counts the outcomes.
 //!
 //! Two errors are kept apart: the *difference* of a row is what model and source disagree by, the
