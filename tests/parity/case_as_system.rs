@@ -87,12 +87,6 @@ const ALIKE: Apart = Apart {
     place_m: 1e-10,
 };
 
-/// The same at rest, where the line is its closed form: its mesh error.
-const OF_MESH: Apart = Apart {
-    tension: 1e-5,
-    place_m: 1e-5,
-};
-
 /// Cases whose stiff segments turn the tolerance of places of the Newton iterations, 1e-10 m, into more than that of tensions.
 const STIFF: [&str; 2] = ["pendulous/module.toml", "hard/buckling.toml"];
 
@@ -113,15 +107,6 @@ const ROD_RINGS: usize = 20;
 const OF_ROD: Apart = Apart {
     tension: 2e-5,
     place_m: 2e-5,
-};
-
-/// A case at rest on a bed that gives way, on which the closed form of its system does not.
-const ON_RIGID_BED: [&str; 1] = ["ship/anchor_line.toml"];
-
-/// The same for this.
-const OF_RIGID_BED: Apart = Apart {
-    tension: 5e-3,
-    ..OF_MESH
 };
 
 /// Cases whose systems come to no equilibrium: a clamped line with next to nothing at its free end, or with a load there that bends it far; a line that
@@ -252,12 +237,9 @@ fn compared<'a>(cases: impl Iterator<Item = &'a Shipped>) -> (Vec<String>, Vec<&
     let (mut rows, mut differ) = (Vec::new(), Vec::new());
     for (name, text) in cases.filter(|(name, _)| !SNAPPING.contains(name)) {
         let found = apart(name, text);
-        let case = case::parse(text, &path_of(name)).unwrap();
-        let allowed = match case.solver.method {
-            Method::Static if ON_RIGID_BED.contains(name) => OF_RIGID_BED,
-            Method::Static => OF_MESH,
-            _ if STIFF.contains(name) => OF_TOLERANCE,
-            _ if TURNING.contains(name) => OF_ROD,
+        let allowed = match *name {
+            name if STIFF.contains(&name) => OF_TOLERANCE,
+            name if TURNING.contains(&name) => OF_ROD,
             _ => ALIKE,
         };
         rows.push(format!(
@@ -522,7 +504,7 @@ fn ends_move_as_points_of_a_system() {
             .replace("ramp_s = 1.0\n", "");
         let found = apart(name, &rest);
         assert!(
-            found.tension < OF_MESH.tension && found.place_m < OF_MESH.place_m,
+            found.tension < ALIKE.tension && found.place_m < ALIKE.place_m,
             "{name} at rest: {found:?}"
         );
     }
