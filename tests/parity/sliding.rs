@@ -2,7 +2,9 @@
 
 use std::path::Path;
 
+use seacable::case::QuantityId;
 use seacable::import::line_case;
+use seacable::run::result_scales;
 
 use crate::one_line::{line_run, system_run};
 
@@ -60,6 +62,23 @@ fn what_slides_follows_the_pull_and_begins_anew_where_it_turns() {
             assert!(off < 2.0 * SEGMENT, "{method}, {t} s: {value} {off}");
         }
     }
+}
+
+/// It counts nodes: its bar is a segment at least, and no accuracy is asked of it.
+#[test]
+fn the_length_that_slides_is_known_to_a_segment() {
+    let text = pulled("alpha", "").replace("duration_s = 150.0", "duration_s = 4.0");
+    let text = text.replace("error_estimate = false", "error_estimate = true");
+    let run = line_run(text);
+    let sliding = |id: &QuantityId| id.to_string().starts_with("sliding_m");
+    let own: Vec<_> = run.summary.iter().filter(|q| sliding(&q.id)).collect();
+    assert_eq!(own.len(), 4);
+    for quantity in own {
+        let error = quantity.error_estimate().unwrap();
+        assert!(error >= SEGMENT, "{quantity:?}");
+    }
+    let scales = result_scales(4.0, &run);
+    assert!(!scales.is_empty() && !scales.iter().any(|(id, _)| sliding(id)));
 }
 
 #[test]

@@ -84,6 +84,12 @@ impl Subject {
         matches!(self, Self::Channel(id) if id.quantity == ChannelQuantity::OnBed)
     }
 
+    /// Whether it counts the nodes that slide: it jumps by segments, and shows no order.
+    #[must_use]
+    pub fn counts_nodes(&self) -> bool {
+        matches!(self, Self::Channel(id) if id.quantity == ChannelQuantity::Sliding)
+    }
+
     /// The quantity along a line that it is, and the name of the line, which is empty of a line by itself.
     #[must_use]
     pub fn line_quantity(&self) -> Option<(LineQuantity, &str)> {

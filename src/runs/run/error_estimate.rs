@@ -85,8 +85,13 @@ const DOUBTFUL: f64 = 0.2;
 
 fn is_in_doubt(estimates: &ErrorEstimates) -> bool {
     let summary = &estimates.summary;
-    let unsettled = summary.iter().filter(|q| q.unsettled.is_some()).count();
-    unsettled as f64 > DOUBTFUL * summary.len() as f64
+    let ordered = || summary.iter().filter(|q| !counts_nodes(q));
+    let unsettled = ordered().filter(|q| q.unsettled.is_some()).count();
+    unsettled as f64 > DOUBTFUL * ordered().count() as f64
+}
+
+fn counts_nodes(q: &Quantity) -> bool {
+    matches!(&q.id, QuantityId::Statistic { of, .. } if of.counts_nodes())
 }
 
 pub(super) fn by_companions(
@@ -183,9 +188,8 @@ impl<'a> EvidentNumbers<'a> {
             far: evidence.far.map(|far| far.map(of)),
             usual: 0.0,
         };
-        let differences = run
-            .iter()
-            .filter_map(|q| Some((q.value, numbers.differences(q)?)));
+        let ordered = run.iter().filter(|q| !counts_nodes(q));
+        let differences = ordered.filter_map(|q| Some((q.value, numbers.differences(q)?)));
         numbers.usual = richardson::usual_quotient(differences);
         numbers
     }
@@ -331,6 +335,12 @@ fn limit_resolution(list: &mut [Quantity], case: &dyn Refinable, run: &Computed)
             let line = of.line_quantity().map_or("", |(_, line)| line);
             let profile = run.record.profiles.iter().find(|p| p.line == line);
             least = profile.map_or(0.0, |p| line_statistics::resolution(p, *statistic));
+            if of.counts_nodes() {
+                let lines = run.record.profiles.iter();
+                least = lines
+                    .map(line_statistics::longest_segment)
+                    .fold(least, f64::max);
+            }
             if quantity.value == 0.0 && is_least_tension(&quantity.id) {
                 least = case.segment_weight(line_of(of));
             }

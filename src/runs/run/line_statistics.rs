@@ -93,12 +93,16 @@ pub fn evaluate(
 #[must_use]
 pub fn resolution(profile: &Profile, statistic: Statistic) -> f64 {
     match statistic {
-        Statistic::ArcOfMax | Statistic::ArcOfMin => {
-            let lengths = profile.arc.windows(2).map(|pair| pair[1] - pair[0]);
-            lengths.fold(0.0, f64::max)
-        }
+        Statistic::ArcOfMax | Statistic::ArcOfMin => longest_segment(profile),
         _ => 0.0,
     }
+}
+
+/// The longest segment of a line \[m\].
+#[must_use]
+pub fn longest_segment(profile: &Profile) -> f64 {
+    let lengths = profile.arc.windows(2).map(|pair| pair[1] - pair[0]);
+    lengths.fold(0.0, f64::max)
 }
 
 /// A quantity node by node: at the end of the run, its greatest and its smallest values over time. Where extremes are not

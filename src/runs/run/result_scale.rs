@@ -44,6 +44,7 @@ impl ResultScales<'_> {
             Statistic::ArcOfMax | Statistic::ArcOfMin => return None,
             // Nor at rest how much of a line lies on the bed.
             _ if self.duration_s == 0.0 && of.is_length_on_bed() => return None,
+            _ if of.counts_nodes() => return None,
             _ => {}
         }
         let unit = q.unit();
