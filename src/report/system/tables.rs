@@ -37,7 +37,7 @@ pub fn summary(solved: &SolvedSystem) -> String {
         network.points.len(),
         network.bodies.len(),
         match (solved.is_discretised(), solved.file.is_run_at_rest()) {
-            (true, true) => "lines are divided into the segments that they state",
+            (true, true) => "lines are divided into segments",
             (true, false) =>
                 "lines in a current or with bending stiffness are divided into segments, others exact catenaries",
             (false, _) => "exact elastic catenaries in still water",

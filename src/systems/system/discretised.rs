@@ -32,7 +32,7 @@ pub enum LineForm {
 
 impl LineForm {
     /// The form of a line of these parts: divided where its file has a current, or a material of it bends, has a table or is stiffer at
-    /// rest than its static stiffness; also where a run of its rest is asked for on segments that it states.
+    /// rest than its static stiffness; all of a run of the rest, which is on the mesh.
     #[must_use]
     pub fn of_parts(file: &SystemFile, line: &LineInputs, parts: &[Part]) -> Self {
         let bends = |part: &Part| part.material.ei_n_m2 > 0.0;
@@ -40,8 +40,7 @@ impl LineForm {
         let tabled = |part: &Part| part.material.strain.is_some();
         let secant = |part: &Part| part.material.dynamic_stiffness == DynamicStiffness::Secant;
         let is_open = |part: &Part| bends(part) || tabled(part) || secant(part);
-        let on_mesh = file.is_run_at_rest() && line.asked_segments().is_some();
-        let closed = still && !on_mesh && !parts.iter().any(is_open);
+        let closed = still && !file.is_run_at_rest() && !parts.iter().any(is_open);
         if !closed {
             Self::Divided
         } else if is_crossed(file) || file.seabed.as_ref().is_some_and(|bed| !bed.is_level()) {

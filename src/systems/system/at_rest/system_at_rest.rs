@@ -45,11 +45,11 @@ pub struct SystemAtRest {
 }
 
 impl SystemAtRest {
-    /// The system of a file that the checks passed, as its method `static` has it computed: one that it has for a run in time is not of
-    /// a system at rest.
+    /// The system of a file that the checks passed, with the accuracy that its method `static` asks for: its lines are closed forms where these
+    /// are known, which a run of its rest has none of, and a method of a run in time is not of a system at rest.
     #[must_use]
-    pub fn new(file: SystemFile) -> Self {
-        let solver = file.solver.clone().filter(|solver| !solver.is_in_time());
+    pub fn new(mut file: SystemFile) -> Self {
+        let solver = file.solver.take().filter(|solver| !solver.is_in_time());
         let solver = solver.unwrap_or_default();
         Self {
             file: Arc::new(file),
