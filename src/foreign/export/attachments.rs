@@ -6,7 +6,7 @@ use std::borrow::Cow;
 use super::target::Unsayable;
 use crate::case::Clump;
 use crate::system::model::{LineInputs, LineSection};
-use crate::system::parts::{Part, parts};
+use crate::system::parts::{Part, parts, shared};
 use crate::system::{SolvedSystem, SystemFile};
 
 /// The system with nothing attached to its lines but bodies where sections meet.
@@ -78,17 +78,6 @@ fn write_out(file: &SystemFile, number: usize, written: &mut SystemFile) -> Opti
         ..line.clone()
     };
     None
-}
-
-/// A share of a number of segments, one at least.
-fn shared(segments: usize, share: f64) -> usize {
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "a count of segments, bounded by the file"
-    )]
-    let count = (segments as f64 * share).round() as usize;
-    count.max(1)
 }
 
 /// The name of a material of a stretch, which is added where it is new.

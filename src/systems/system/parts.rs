@@ -159,6 +159,18 @@ pub fn parts(file: &SystemFile, line: &LineInputs) -> Vec<Part> {
     parts
 }
 
+/// A share of a number of segments, one at least.
+#[must_use]
+pub fn shared(segments: usize, share: f64) -> usize {
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a count of segments, bounded by the file"
+    )]
+    let count = (segments as f64 * share).round() as usize;
+    count.max(1)
+}
+
 fn of_section<T: OnSection + Clone>(all: &[T], section: &LineSection) -> Vec<T> {
     let own = all.iter().filter(|one| one.is_on(section.name.as_deref()));
     own.cloned().collect()

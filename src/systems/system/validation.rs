@@ -57,12 +57,12 @@ fn ended(failure: Option<&String>) -> Result<(), String> {
     failure.map_or(Ok(()), |why| Err(format!("The run ended early: {why}.")))
 }
 
-/// A system as it was computed: at rest, and its run in time or why there is none.
+/// A system as it was computed: at rest, and its run or why there is none.
 #[derive(Debug, Clone)]
 pub struct ComputedSystem<'s> {
     /// At rest.
     pub solved: &'s SolvedSystem,
-    /// In time.
+    /// Its run.
     pub run: Result<ComparedRun<'s>, String>,
 }
 
@@ -80,7 +80,7 @@ impl<'s> ComputedSystem<'s> {
         Self { solved, run }
     }
 
-    /// A result by its name, in time or at rest.
+    /// A result by its name, of the run or at rest.
     fn number(&self, name: &str) -> Result<ComputedNumber, String> {
         let solved = self.solved;
         match (id_in_time(name), &self.run) {
@@ -114,7 +114,10 @@ impl ResultsAt for SystemsAt<'_, '_> {
     }
 
     fn number(&self, at: Option<&StudyPoint>, name: &str) -> Result<ComputedNumber, String> {
-        let computed = self.0(at).ok_or_else(|| NOT_RUN.to_owned())?;
+        let computed = self.0(at).ok_or_else(|| match at {
+            Some(_) => "`seacable validate` computes the system at this point.".to_owned(),
+            None => NOT_RUN.to_owned(),
+        })?;
         computed.number(name)
     }
 }

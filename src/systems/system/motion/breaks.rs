@@ -7,7 +7,7 @@ use crate::system::SolvedSystem;
 use crate::system::freedoms::Placement;
 use crate::system::model::{LineInputs, LineSection, PointInputs, PointKind, SystemFile};
 use crate::system::network::{Held, Network};
-use crate::system::parts::sections;
+use crate::system::parts::{sections, shared};
 
 /// The file with every line that may break written as two.
 #[must_use]
@@ -76,17 +76,6 @@ fn parted(line: &LineInputs) -> Option<(LineInputs, LineInputs)> {
         )
     };
     Some((first, second))
-}
-
-/// A share of a number of segments, one at least.
-fn shared(segments: usize, share: f64) -> usize {
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "a count of segments, bounded by the file"
-    )]
-    let count = (segments as f64 * share).round() as usize;
-    count.max(1)
 }
 
 /// What is attached to a line before or after a place \[m\].

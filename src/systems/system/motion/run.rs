@@ -92,7 +92,7 @@ pub fn run(
     let chosen = system.with_chosen_method(None, cancel);
     let (system, why) = chosen.unwrap_or((system, None));
     let begun = system.begun()?;
-    check_steps(&system.plan(begun))?;
+    check_steps(&system.plan(begun).settings)?;
     let mut computed = system.compute(None, cancel, Some(&mut *events));
     computed.settings.method_reason = why;
     let (computed, errors) = with_estimates(&system, computed, None, cancel, events);

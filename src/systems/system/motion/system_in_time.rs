@@ -171,7 +171,7 @@ impl Computation for SystemInTime {
             Err(why) => return Computed::failed(in_words(&why)),
         };
         let plan = self.plan(begun);
-        if let Err(why) = check_steps(&plan) {
+        if let Err(why) = check_steps(&plan.settings) {
             return Computed::failed(in_words(&why));
         }
         let events: Listener<'_> = match events {
@@ -216,8 +216,8 @@ fn in_words(why: &UnsolvedSystem) -> String {
 }
 
 /// Checks that the steps are not too many, and stable; a run at rest has none.
-pub(super) fn check_steps(plan: &MotionPlan) -> Result<(), UnsolvedSystem> {
-    match refused(&plan.settings).filter(|_| plan.solver.is_in_time()) {
+pub(super) fn check_steps(settings: &Settings) -> Result<(), UnsolvedSystem> {
+    match refused(settings) {
         None => Ok(()),
         Some((problem, remedy)) => Err(UnsolvedSystem {
             problem,
