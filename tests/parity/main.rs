@@ -11,4 +11,5 @@ mod friction;
 mod line_keys;
 mod nothing_lost;
 mod one_line;
+mod recorded;
 mod sliding;

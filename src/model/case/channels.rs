@@ -64,8 +64,19 @@ pub(crate) struct RecordingConditions<'a> {
     pub(crate) grips: bool,
     /// Whether there are waves.
     pub(crate) waves: bool,
-    /// Whether the case asks for the energy.
+    /// What the case says of it.
+    pub(crate) output: RecordedOutput,
+}
+
+/// What a file asks for.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct RecordedOutput {
+    /// Whether it asks for the energy.
     pub(crate) energy: bool,
+    /// Whether it asks for the upward pull on held ends.
+    pub(crate) uplift: bool,
+    /// Whether forces on held ends are recorded.
+    pub(crate) forces: bool,
 }
 
 /// A section of the line.
@@ -126,7 +137,11 @@ impl<'a> RecordingConditions<'a> {
             grips: case.solver.method != Method::Static
                 && case.seabed.as_ref().is_some_and(Seabed::grips),
             waves: case.waves.is_some(),
-            energy: case.output.energy,
+            output: RecordedOutput {
+                energy: case.output.energy,
+                uplift: case.output.uplift,
+                forces: case.output.forces != Some(false),
+            },
         }
     }
 
@@ -156,7 +171,7 @@ impl<'a> RecordingConditions<'a> {
             let elevation = [ChannelQuantity::WaveElevation];
             add(&mut list, &elevation, "gauge", ChannelLocation::Gauge);
         }
-        if self.energy {
+        if self.output.energy {
             let energy = [ChannelQuantity::Energy];
             add(&mut list, &energy, "line", ChannelLocation::Line);
         }
@@ -206,7 +221,10 @@ impl<'a> RecordingConditions<'a> {
     fn add_forces(&self, list: &mut Vec<ChannelSpec>) {
         use ChannelQuantity as Q;
         for (end, site) in self.located_ends() {
-            if end.kind.is_held() {
+            if end.kind.is_held() && self.output.uplift {
+                add(list, &[Q::Uplift], end.name, site);
+            }
+            if end.kind.is_held() && self.output.forces {
                 add(list, &Q::FORCE, end.name, site);
             }
         }

@@ -66,7 +66,8 @@ pub fn build(given: &SystemFile, aged: &AgedParts) -> Result<Network, (String, S
     network.sea = sea;
     let gauge = file.waves.iter().find_map(|waves| waves.gauge_m);
     network.records_uplift = file.output.uplift;
-    network.records_forces = file.output.forces;
+    network.records_forces = file.output.forces == Some(true);
+    network.records_energy = file.output.energy;
     network.gauge = gauge.map_or_else(V3::zeros, |[x, y]| V3::new(x, y, 0.0));
     let mut builder = Builder {
         file,

@@ -8,9 +8,7 @@ use std::collections::BTreeMap;
 
 pub use ageing::{AgeingInputs, CorrosionInputs, GrowthInputs};
 pub(crate) use ageing::{AgeingKeys, CorrosionKeys};
-pub use motion::{
-    MotionOutput, PayoutInputs, SlidingInputs, StartPlacement, SystemStart, WhichEnd,
-};
+pub use motion::{PayoutInputs, SlidingInputs, StartPlacement, SystemStart, WhichEnd};
 pub(crate) use motion::{PayoutKeys, SlidingKeys};
 
 use crate::case::fields::ValueType::{Name, NumberOrTriple};
@@ -18,8 +16,8 @@ use crate::case::fields::{Conditions, of, positive};
 use crate::case::schema::{table, words};
 use crate::case::{
     Attachment, CheckInputs, Clump, Current, Environment, Floats, LoadCaseInputs, Mark, Material,
-    Modules, MotionInterpolation, OneOrMany, Seabed, Solver, Start, StatisticsInputs, Study, Trial,
-    Waves,
+    Modules, MotionInterpolation, OneOrMany, Output, Seabed, Solver, Start, StatisticsInputs,
+    Study, Trial, Waves,
 };
 use crate::reference::{PublishedHistory, PublishedNumber, PublishedTrend};
 
@@ -73,8 +71,8 @@ table! {
         start: SystemStart, optional;
         /// How the system is computed; at rest where it is absent.
         solver: Option<Solver>;
-        /// What is recorded of a run in time.
-        output: MotionOutput, optional;
+        /// What is recorded and how often.
+        output: Output, optional;
         /// Files that the system names, carried with it, by their names.
         files: BTreeMap<String, Attachment>;
         /// Where an input comes from when the source does not print it, by key path.

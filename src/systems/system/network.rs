@@ -43,6 +43,8 @@ pub struct Network {
     pub records_uplift: bool,
     /// Whether their force on fixed and moved points is.
     pub records_forces: bool,
+    /// Whether the energy of all of it is.
+    pub records_energy: bool,
     /// Velocity of the wind on bodies \[m/s\].
     pub wind: V3,
     /// Points that lines end at.

@@ -7,7 +7,7 @@ use super::analysis::periods::periods;
 use super::equilibrium::{SystemEquilibrium, SystemError};
 use super::loads;
 use super::model::SystemKeys;
-use super::motion::channels::GAUGE;
+use super::motion::channels::{GAUGE, WHOLE};
 use super::network::Network;
 use super::rest::refused;
 use super::solved::SolvedSystem;
@@ -350,6 +350,10 @@ pub(super) fn unknown_part(
     keys: &SystemKeys<'_>,
 ) -> Option<Finding> {
     let known = parts_of(keys);
+    if part == WHOLE && !known.contains(&WHOLE) {
+        let remedy = "add `energy = true` to [output]";
+        return Some(key.finding("is of the energy, which is not recorded", remedy));
+    }
     if known.iter().any(|name| part.starts_with(name)) {
         return None;
     }
@@ -365,7 +369,9 @@ fn parts_of<'k>(keys: &'k SystemKeys<'_>) -> Vec<&'k str> {
     let bodies = keys.bodies.iter().map(|(name, _)| name.as_str());
     let rods = keys.rods.iter().map(|(name, _)| name.as_str());
     let all = lines.chain(points).chain(bodies).chain(rods);
-    all.chain([GAUGE]).collect()
+    let energy = keys.output.as_ref().map(|output| &output.energy);
+    let whole = energy.is_some_and(|energy| energy.is(&true));
+    all.chain([GAUGE]).chain(whole.then_some(WHOLE)).collect()
 }
 
 /// A result that does not exist.

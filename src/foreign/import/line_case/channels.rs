@@ -8,6 +8,7 @@ use crate::case::{
     ChannelId, ChannelLocation, ChannelQuantity, EndKind, LineEnd, MotionName, OnSection, channels,
 };
 use crate::scene::{clump_bed_area, payload_bed_area};
+use crate::system::motion::channels::WHOLE;
 
 /// What is recorded of points that bear on the bed.
 const OF_BED: [ChannelQuantity; 2] = [ChannelQuantity::BedForce, ChannelQuantity::LandingSpeed];
@@ -27,6 +28,10 @@ pub(super) fn translated(source: &LineSource<'_>, id: &ChannelId) -> Option<Chan
             Some(id.quantity.at(format!("{name}|{own}.{}", letter(end))))
         }
         ChannelLocation::Gauge => Some(id.clone()),
+        // Of a body that turns the balance of a system counts loads by their work.
+        ChannelLocation::Line if id.quantity == ChannelQuantity::Energy => {
+            (turning(source).is_none()).then(|| id.quantity.at(WHOLE))
+        }
         ChannelLocation::Line => {
             let of_line = [ChannelQuantity::OnBed, ChannelQuantity::Sliding];
             let is_one = of_line.contains(&id.quantity) && lines(&source.case).len() == 1;
@@ -113,8 +118,9 @@ fn at_end(source: &LineSource<'_>, id: &ChannelId, end: LineEnd) -> Option<Chann
     }
     let turns = end == LineEnd::B && turning(source).is_some();
     let is_on_vessel = given.kind == EndKind::Moving && given.motion == MotionName::Vessel;
-    let is_unread = turns && quantity == ChannelQuantity::Speed
-        || is_on_vessel && ChannelQuantity::FORCE.contains(&quantity);
+    let is_force =
+        ChannelQuantity::FORCE.contains(&quantity) || quantity == ChannelQuantity::Uplift;
+    let is_unread = turns && quantity == ChannelQuantity::Speed || is_on_vessel && is_force;
     if is_unread {
         return None;
     }
@@ -123,7 +129,7 @@ fn at_end(source: &LineSource<'_>, id: &ChannelId, end: LineEnd) -> Option<Chann
     }
     let of_point = ChannelQuantity::POSITION.contains(&quantity)
         || ChannelQuantity::FORCE.contains(&quantity)
-        || quantity == ChannelQuantity::Speed
+        || [ChannelQuantity::Uplift, ChannelQuantity::Speed].contains(&quantity)
         || (OF_BED.contains(&quantity) && bears(source, end));
     let payload = source.case.payload.as_ref();
     let is_cut_off = given.kind == EndKind::Payload

@@ -23,7 +23,7 @@ pub(super) fn translated(source: &LineSource<'_>, path: &str) -> Option<String> 
         ["solver", ..] => Some(path.to_owned()),
         [
             "output",
-            "interval_s" | "shape_interval_s" | "response_from_s",
+            "interval_s" | "shape_interval_s" | "response_from_s" | "energy",
         ] => Some(path.to_owned()),
         ["line", section, key @ ("length_m" | "segments")] => of_section(source, section, key),
         [table @ ("floats" | "modules" | "clumps"), name, key] => {

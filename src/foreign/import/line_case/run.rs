@@ -1,8 +1,8 @@
 //! Waves, the run in time and its output.
 
-use super::copied::{copy, copy_keys, value_of};
+use super::copied::{copy, copy_keys};
+use super::end_clumps;
 use super::ends;
-use super::published;
 use super::source::LineSource;
 use crate::import::to_case::case_text::{CaseText, numbers};
 
@@ -46,22 +46,23 @@ pub(super) fn write(system: &mut CaseText<'_>, source: &LineSource<'_>) {
         let duration = format!("{:?}", source.case.solver.duration_s);
         system.assumed("duration_s", &duration, "as a case leaves it out");
     }
-    let forces = published::reads_forces(source);
+    output(system, source);
+}
+
+/// Writes what is recorded; forces on held ends, which a line leaves out only where its case says so.
+fn output(system: &mut CaseText<'_>, source: &LineSource<'_>) {
     let output = source.node(&["output"]);
-    let is_checked = !source.case.checks.is_empty();
-    if output.is_none() && !forces && !is_checked {
-        return;
-    }
     system.table("[output]", output.map(|node| &node.span));
-    for key in ["interval_s", "shape_interval_s", "response_from_s"] {
-        if let Some(node) = source.node(&["output", key]) {
-            system.given(key, &value_of(source, node), &node.span, "");
-        }
+    if let Some(node) = output {
+        copy_keys(system, source, node, &[]);
     }
-    if is_checked {
+    let is_given = |key| source.node(&["output", key]).is_some();
+    if !is_given("uplift") && !source.case.checks.is_empty() {
         system.assumed("uplift", "true", "checks may be of it");
     }
-    if forces {
-        system.assumed("forces", "true", "a published curve is of one");
+    // The weight of a clump that hangs on a held end is no part of the force of the line.
+    let hangs = end_clumps::left_out(source).next().is_some();
+    if !is_given("forces") && !hangs {
+        system.assumed("forces", "true", "as of a line");
     }
 }

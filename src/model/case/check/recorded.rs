@@ -1,6 +1,6 @@
 //! The channels that a run of the case would record, by name.
 
-use crate::case::channels::{RecordedEnd, RecordedSection, RecordingConditions};
+use crate::case::channels::{RecordedEnd, RecordedOutput, RecordedSection, RecordingConditions};
 use crate::case::line_quantity::{EnergyQuantity, STEADY};
 use crate::case::model::{CaseKeys, EndKeys};
 use crate::case::schema::Key;
@@ -67,7 +67,11 @@ fn channel_names(case: &CaseKeys<'_>) -> Option<Vec<String>> {
         bed: case.seabed.is_some(),
         grips: grips(case)?,
         waves: case.waves.is_some(),
-        energy: output.is_some_and(|output| output.energy.is(&true)),
+        output: RecordedOutput {
+            energy: output.is_some_and(|output| output.energy.is(&true)),
+            uplift: output.is_some_and(|output| output.uplift.is(&true)),
+            forces: output.is_none_or(|output| !output.forces.is(&false)),
+        },
     };
     let channels = line.channels().into_iter();
     Some(channels.map(|channel| channel.id.to_string()).collect())

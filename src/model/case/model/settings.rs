@@ -158,9 +158,13 @@ table! {
         interval_s: f64 = 0.5, "history interval", range positive(1e5);
         /// Interval of the stored line shapes.
         shape_interval_s: f64 = 5.0, "shape interval", range positive(1e6);
-        /// Whether the energy of the line is recorded: kinetic, of position and of stretch, bending and bed.
+        /// Whether the energy is recorded: kinetic, of position and of stretch, bending and bed; of bodies of systems the kinetic alone.
         energy: bool = false, "energy";
-        /// From this time on root mean square displacements along the line are taken, about the mean.
+        /// Whether the upward pull of the lines on fixed points and held ends is recorded, as uplift_n.
+        uplift: bool = false, "uplift of anchors";
+        /// Whether the force of the lines on fixed and moved points and held ends is recorded, as force_x_n, force_y_n, force_z_n.
+        forces: Option<bool>, "forces on held points", absent "of a line between two ends, not of a system";
+        /// From this time on root mean square displacements along lines are taken, about the mean.
         response_from_s: Option<f64>, "response from", range of(0.0, 1e6), absent "not used";
     }
 }

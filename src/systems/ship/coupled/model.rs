@@ -4,7 +4,8 @@
 use super::CoupledError;
 use crate::case::Solver;
 use crate::case::{
-    Attachment, Current, DragCoefficient, Environment, Material, OneOrMany, Seabed, WaveKind, Waves,
+    Attachment, Current, DragCoefficient, Environment, Material, OneOrMany, Output, Seabed,
+    WaveKind, Waves,
 };
 use crate::numerics::V3;
 use crate::ship::hull::HullMatrices;
@@ -15,8 +16,8 @@ use crate::ship::motion::wave_response::WaveResponse;
 use crate::ship::static_analysis::{MooredEquilibrium, StaticAnalysis};
 use crate::system::SystemFile;
 use crate::system::model::{
-    BodyInputs, BodyKind, DriftLoadInputs, HeadingLoadInputs, LineInputs, MotionOutput,
-    PointInputs, PointKind, SystemWind,
+    BodyInputs, BodyKind, DriftLoadInputs, HeadingLoadInputs, LineInputs, PointInputs, PointKind,
+    SystemWind,
 };
 
 /// Penetration of the line into the seabed under its own weight \[m\].
@@ -151,9 +152,9 @@ impl<'a> CoupledModel<'a> {
                 error_estimate: false,
                 ..Solver::over(variant.duration_s)
             }),
-            output: MotionOutput {
+            output: Output {
                 interval_s: variant.interval_s,
-                ..MotionOutput::default()
+                ..Output::default()
             },
             ..SystemFile::new(&particulars.title)
         };

@@ -29,23 +29,6 @@ table! {
     }
 }
 
-table! {
-    /// What is recorded of a run in time.
-    #[derive(Debug, Clone, PartialEq)]
-    pub struct MotionOutput => MotionOutputKeys {
-        /// Interval of the time history.
-        interval_s: f64 = 0.5, "history interval", range positive(1e5);
-        /// Interval of the stored line shapes.
-        shape_interval_s: f64 = 5.0, "shape interval", range positive(1e6);
-        /// Whether the upward pull of the lines on fixed points is recorded, as uplift_n.
-        uplift: bool = false, "uplift of anchors";
-        /// Whether the force of the lines on fixed points and on those that are moved is recorded, as force_x_n, force_y_n, force_z_n.
-        forces: bool = false, "forces on held points";
-        /// From this time on root mean square displacements along the lines are taken, about the mean.
-        response_from_s: Option<f64>, "response from", range of(0.0, 1e6), absent "not used";
-    }
-}
-
 words! {
     /// An end of a line.
     #[derive(Default)]

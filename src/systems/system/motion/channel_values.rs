@@ -2,6 +2,7 @@
 
 use super::body_equation::MovingBody;
 use super::channels::Source;
+use super::energy::stored;
 use super::moving_system::MovingSystem;
 use super::pins::pin_force;
 use super::system_state::SystemState;
@@ -86,6 +87,7 @@ impl<'a> ChannelValues<'a> {
                     |part: usize| system.scene(part, state).sliding_length(&state.lines[part]);
                 parts.filter_map(sliding).fold(0.0, |all, part| all + part)
             }
+            Source::Energy => stored(system, self.bodies, state),
             Source::Elevation => {
                 let (sea, gauge) = (system.network.sea.as_ref(), &system.network.gauge);
                 sea.map_or(0.0, |sea| sea.elevation(self.time, gauge))

@@ -17,6 +17,9 @@ use crate::system::parts::parts as parts_of;
 /// Place of the channel of the height of the waves.
 pub(in crate::system) const GAUGE: &str = "gauge";
 
+/// Place of the channel of the energy.
+pub const WHOLE: &str = "system";
+
 /// What a channel reads.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Source {
@@ -58,6 +61,8 @@ pub(super) enum Source {
     Elevation,
     /// Unstretched length of a line that is paid out, by its number among those.
     Length(usize),
+    /// Energy of all of it.
+    Energy,
 }
 
 /// The channels of a system and where they are read.
@@ -71,7 +76,7 @@ pub struct Channels {
 impl Channels {
     /// Tensions at both ends of every line, places of the points that move and speeds of those that are free, poses of the bodies that move,
     /// force of the bed on what bears on it and the speed at which that landed, length on the bed of the lines that may reach it, height of the
-    /// waves, curvature and bending moment at clamped ends, dynamic stiffness of ropes and tension of the wall of pipes at both ends of their
+    /// waves, energy where the file asks for it, curvature and bending moment at clamped ends, dynamic stiffness of ropes and tension of the wall of pipes at both ends of their
     /// sections.
     #[must_use]
     pub fn of_system(system: &MovingSystem) -> Self {
@@ -108,6 +113,9 @@ impl Channels {
         for (number, paid) in system.paid.iter().enumerate() {
             let name = system.network.lines[paid.line].name.as_str();
             channels.add(ChannelQuantity::Length.at(name), Source::Length(number));
+        }
+        if system.network.records_energy {
+            channels.add(ChannelQuantity::Energy.at(WHOLE), Source::Energy);
         }
         for line in 0..system.network.lines.len() {
             channels.bending(system, line);
@@ -391,6 +399,7 @@ pub fn quantities(solved: &SolvedSystem) -> Vec<ChannelQuantity> {
     let waves = network.sea.is_some();
     all.extend(waves.then_some(ChannelQuantity::WaveElevation));
     all.extend((!network.payouts.is_empty()).then_some(ChannelQuantity::Length));
+    all.extend(network.records_energy.then_some(ChannelQuantity::Energy));
     let mut lines = network.lines.iter();
     if lines.any(|line| [0, 1].iter().any(|end| is_clamped(line, *end))) {
         all.extend(ChannelQuantity::BENDING);

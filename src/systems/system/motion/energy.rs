@@ -8,7 +8,7 @@ use super::joints::Role;
 use super::moving_system::MovingSystem;
 use super::payout_border::drives;
 use super::pins::pin_force;
-use super::point_loads::point_load;
+use super::point_loads::{PointLoad, point_load};
 use super::system_state::SystemState;
 use crate::numerics::V3;
 use crate::scene::EnergyRates;
@@ -23,18 +23,10 @@ pub fn add_beside_lines(
     (t, state): (f64, &SystemState),
     sum: &mut EnergyRates,
 ) {
-    for joint in system.joints.free.clone() {
-        if let Role::Free(number) = system.joints.roles[joint]
-            && let Held::Free(point) = &system.network.points[number].held
-        {
-            let (x, v) = (&state.joints.x[joint], &state.joints.v[joint]);
-            let around = system.around(&state.joints, joint);
-            let load = point_load(&system.network, point, (x, v), around);
-            let kinetic = kinetic_energy(point, v);
-            sum.kinetic += kinetic;
-            sum.energy += kinetic + load.energy;
-            sum.dissipated += load.lost;
-        }
+    for (kinetic, load) in free_points(system, state) {
+        sum.kinetic += kinetic;
+        sum.energy += kinetic + load.energy;
+        sum.dissipated += load.lost;
     }
     // It came with the mesh: neither a drive nor a load does it.
     let remeshed = system.surplus_power(state);
@@ -51,6 +43,34 @@ pub fn add_beside_lines(
         sum.supplied += power_of_loads(system, body, state);
         sum.supplied += power_of_pin(system, body, state);
     }
+}
+
+/// The energy of it in a state \[J\], as the balance counts it.
+pub(super) fn stored(system: &MovingSystem, bodies: &[MovingBody], state: &SystemState) -> f64 {
+    let lines = system.lines(state).map(|(scene, line)| scene.energy(line));
+    let points = free_points(system, state).map(|(kinetic, load)| kinetic + load.energy);
+    let bodies = bodies.iter();
+    let bodies = bodies.map(|body| body.kinetic_energy(&system.body(state, body.number)));
+    lines.chain(points).chain(bodies).sum()
+}
+
+/// Kinetic energy of every free point \[J\], and its load.
+fn free_points(
+    system: &MovingSystem,
+    state: &SystemState,
+) -> impl Iterator<Item = (f64, PointLoad)> {
+    system.joints.free.clone().filter_map(move |joint| {
+        let Role::Free(number) = system.joints.roles[joint] else {
+            return None;
+        };
+        let Held::Free(point) = &system.network.points[number].held else {
+            return None;
+        };
+        let (x, v) = (&state.joints.x[joint], &state.joints.v[joint]);
+        let around = system.around(&state.joints, joint);
+        let load = point_load(&system.network, point, (x, v), around);
+        Some((kinetic_energy(point, v), load))
+    })
 }
 
 /// Kinetic energy of a point with its added mass \[J\]. What is beyond the mass along x is exactly 0 where all are the same.
