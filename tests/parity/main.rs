@@ -13,3 +13,4 @@ mod nothing_lost;
 mod one_line;
 mod recorded;
 mod sliding;
+mod trials;

@@ -143,17 +143,17 @@ pub fn rows(solved: &SolvedSystem, run: Option<&MotionRun>) -> Vec<ValidationRow
 /// The same of a system as it was computed.
 #[must_use]
 pub fn rows_of(computed: &ComputedSystem<'_>) -> Vec<ValidationRow> {
-    without_trials(rows_of_trials(computed))
-}
-
-/// The same with the rows that only trials hold.
-#[must_use]
-pub fn rows_of_trials(computed: &ComputedSystem<'_>) -> Vec<ValidationRow> {
     let file = &computed.solved.file;
-    rows_at(file, &|at| {
+    rows_along_studies(file, &|at| {
         let here = at.is_none_or(|at| stands_at(file, &file.study, at));
         here.then(|| computed.clone())
     })
+}
+
+/// The rows of a trial, with those that only trials hold: what it names is of it, at whatever point of a study it stands.
+#[must_use]
+pub fn rows_of_trials(computed: &ComputedSystem<'_>) -> Vec<ValidationRow> {
+    rows_at(&computed.solved.file, &|_| Some(computed.clone()))
 }
 
 /// The same of a run, of which rows whose published values are not for its inputs read EDITED.

@@ -21,6 +21,7 @@ mod run;
 mod source;
 mod start;
 mod traveller;
+mod trials;
 mod turning_payload;
 mod unused;
 
@@ -28,6 +29,7 @@ use std::path::Path;
 
 use self::copied::copy;
 use self::source::LineSource;
+use self::trials::CarriedTrials;
 use super::fault::{self, Fault};
 use super::imported::Imported;
 use super::to_case::case_text::{CaseText, text};
@@ -65,7 +67,8 @@ fn system_of(source: &LineSource<'_>) -> Result<Imported, Vec<Fault>> {
         return Err(faults);
     }
     let mut system = CaseText::of_text(source.text);
-    head(&mut system, source);
+    let trials = CarriedTrials::new(source);
+    head(&mut system, source, &trials);
     copy(&mut system, source, "parameters");
     run::environment(&mut system, source);
     copy(&mut system, source, "current");
@@ -79,6 +82,7 @@ fn system_of(source: &LineSource<'_>) -> Result<Imported, Vec<Fault>> {
     start::of_ends(&mut system, source);
     run::write(&mut system, source);
     results::write(&mut system, source);
+    trials.write(&mut system, source);
     copied::files(&mut system, source);
     Ok(Imported {
         text: system.text,
@@ -99,7 +103,7 @@ fn materials(system: &mut CaseText<'_>, source: &LineSource<'_>) {
 }
 
 /// The table `[system]`: what the case is, and what of it is not carried over.
-fn head(system: &mut CaseText<'_>, source: &LineSource<'_>) {
+fn head(system: &mut CaseText<'_>, source: &LineSource<'_>, trials: &CarriedTrials) {
     system.line(
         "# A case of one line, as a system; comments name its rows.",
         None,
@@ -117,7 +121,7 @@ fn head(system: &mut CaseText<'_>, source: &LineSource<'_>) {
     if !about.notes.is_empty() {
         notes.push(about.notes.trim().to_owned());
     }
-    notes.extend(unused::remarks(source));
+    notes.extend(unused::remarks(source, trials));
     if !notes.is_empty() {
         system.line(&format!("notes = {}", text(&notes.join(" "))), None);
     }

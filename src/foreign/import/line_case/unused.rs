@@ -5,16 +5,15 @@ use super::published;
 use super::source::LineSource;
 use super::start;
 use super::traveller;
+use super::trials::CarriedTrials;
 use crate::case::StartShape;
 
 /// Tables and keys that other views of a case are of, and what a system has in their place.
-const VIEWS: [(&[&str], &str); 4] = [
-    (&["trial"], "trials"),
+const VIEWS: [(&[&str], &str); 2] = [
     (
         &["modes"],
         "the natural modes of the line, which `seacable modes` has of the case",
     ),
-    (&["output", "energy"], "the record of the energy"),
     (
         &["case", "beside"],
         "runs of other cases that are listed beside it",
@@ -30,12 +29,19 @@ const BEARING: [&str; 4] = [
 ];
 
 /// The remarks, a sentence each.
-pub(super) fn remarks(source: &LineSource<'_>) -> Vec<String> {
+pub(super) fn remarks(source: &LineSource<'_>, trials: &CarriedTrials) -> Vec<String> {
     let mut left_out: Vec<String> = Vec::new();
     for (path, what) in VIEWS {
         if source.node(path).is_some() {
             left_out.push((*what).to_owned());
         }
+    }
+    let trials = trials.left_out(source);
+    if !trials.is_empty() {
+        left_out.push(format!(
+            "trials of what no keys of the system set alone, or that are held against nothing: {}",
+            trials.join(", ")
+        ));
     }
     let studies = published::studies_left_out(source);
     if !studies.is_empty() {

@@ -357,7 +357,9 @@ impl UnderWay for SystemUnderWay<'_> {
                 "Newton did not converge in {iterations} iterations: {node} still moves by {moved:.3e} m; try a smaller time_step_s, or more segments there"
             ),
             NewtonError::Singular { .. } => {
-                format!("nothing holds {node}: give it mass, drag or tension")
+                format!(
+                    "the tangent is singular at {node}: nothing holds it; give it mass, drag or tension"
+                )
             }
             NewtonError::NotFinite { .. } => format!("a force is not finite at {node}"),
             NewtonError::Runaway { .. } | NewtonError::Unstable { .. } => format!("{why}, {node}"),
