@@ -398,3 +398,18 @@ fn checks_have_what_they_are_held_to() {
     assert!(found.output.uplift && found.checks.len() == 1);
     assert!(!file("").output.uplift);
 }
+
+#[test]
+fn runs_beside_it_go_along() {
+    let beside = WIRE.replace(
+        "\n[parameters]",
+        "\nbeside = [\"other.toml\"]\n[parameters]",
+    );
+    let text = line_case::read(&beside, Path::new("wire.toml"))
+        .unwrap()
+        .text;
+    let about = kind::read::<SystemFile>(&text, "system.toml").unwrap();
+    let about = about.content.about;
+    assert_eq!(about.beside, Some(vec!["other.toml".to_owned()]));
+    assert!(about.notes.is_empty(), "{}", about.notes);
+}

@@ -116,7 +116,10 @@ fn a_trial_sets_the_keys_of_the_system() {
         trial.unwrap().set.clone().unwrap()
     };
     let stiff = set("hard/taut.toml", "statics, EA 1e13 N");
-    assert!(stiff.contains(&"materials.wire.ea_n=1e13".to_owned()), "{stiff:?}");
+    assert!(
+        stiff.contains(&"materials.wire.ea_n=1e13".to_owned()),
+        "{stiff:?}"
+    );
     let mirrored = set("hard/frames.toml", "static, mirrored");
     let place = "points.b.position_m=[-75.85397659, 0.0, 43.12495602]";
     assert!(mirrored.contains(&place.to_owned()), "{mirrored:?}");

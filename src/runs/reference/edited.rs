@@ -107,7 +107,7 @@ fn is_physical(key: &str) -> bool {
         ".beside",
         ".name",
     ];
-    let tables = ["solver.", "output.", "modes.", "case."];
+    let tables = ["solver.", "output.", "modes.", "case.", "system."];
     !(tables.iter().any(|table| key.starts_with(table))
         || words.iter().any(|word| key.ends_with(word)))
 }

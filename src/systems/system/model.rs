@@ -15,9 +15,9 @@ use crate::case::fields::ValueType::{Name, NumberOrTriple};
 use crate::case::fields::{Conditions, of, positive};
 use crate::case::schema::{table, words};
 use crate::case::{
-    Attachment, CheckInputs, Clump, Current, Environment, Floats, LoadCaseInputs, Mark, Material,
-    Modules, MotionInterpolation, OneOrMany, Output, Seabed, Solver, Start, StatisticsInputs,
-    Study, Trial, Waves,
+    Attachment, CaseInfo, CheckInputs, Clump, Current, Environment, Floats, LoadCaseInputs, Mark,
+    Material, Modules, MotionInterpolation, OneOrMany, Output, Seabed, Solver, Start,
+    StatisticsInputs, Study, Trial, Waves,
 };
 use crate::reference::{PublishedHistory, PublishedNumber, PublishedTrend};
 
@@ -32,7 +32,7 @@ table! {
     pub struct SystemFile => SystemKeys {}
     tables {
         /// What the system is, for people.
-        about: SystemInfo as "system";
+        about: CaseInfo as "system";
         /// Water and gravity.
         environment: Environment, optional;
         /// A current on lines, points and bodies.
@@ -93,21 +93,6 @@ table! {
         trend: Vec<PublishedTrend>;
         /// One way in which a hard case is computed, and what must come of it.
         trial: Vec<Trial>;
-    }
-}
-
-table! {
-    /// What a system is, for people.
-    #[derive(Debug, Clone, PartialEq)]
-    pub struct SystemInfo => SystemInfoKeys {
-        /// One line that says what the system is.
-        title: String, "title";
-        /// Where the data come from.
-        source: String = "", "source";
-        /// The scene, what the source leaves out, what was decided.
-        notes: String = "", "notes";
-        /// Why the tolerances of the published values are what they are, where a value states no reason of its own.
-        tolerance_reason: Option<String>, "reason of the tolerances", absent "none stated";
     }
 }
 

@@ -131,6 +131,8 @@ pub(super) fn list(state: &AppState) -> Option<Effect> {
             main.iter().map(ToString::to_string).collect()
         }
         DocumentContent::System(system) if system.has_runs() => {
+            let beside = system.solved.file.about.beside.iter();
+            files.extend(beside.flatten().cloned());
             main_channels(&system.solved.network)
         }
         _ => return None,

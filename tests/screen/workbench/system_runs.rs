@@ -242,3 +242,21 @@ fn ctrl_c_cancels_a_run() {
     desk.keys("R ctrl+c");
     assert!(has(&desk, |effect| matches!(effect, Effect::Cancel(_))));
 }
+
+/// The stored runs of the files that a system names beside it are listed with its own.
+#[test]
+fn runs_of_systems_beside_it_are_listed() {
+    let title = "title = \"Bridle in heave\"\n";
+    let text = text().replace(title, &format!("{title}beside = [\"other.toml\"]\n"));
+    for (text, wanted) in [
+        (self::text(), vec!["bridle.toml"]),
+        (text, vec!["bridle.toml", "other.toml"]),
+    ] {
+        let desk = Desk::with_moving_system(SMALL, &text);
+        let listed = desk.asked.iter().find_map(|effect| match effect {
+            Effect::ListRuns { files, .. } => Some(files.clone()),
+            _ => None,
+        });
+        assert_eq!(listed.unwrap(), wanted);
+    }
+}

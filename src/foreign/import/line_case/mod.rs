@@ -117,6 +117,10 @@ fn head(system: &mut CaseText<'_>, source: &LineSource<'_>, trials: &CarriedTria
     if !about.source.is_empty() {
         system.line(&format!("source = {}", text(&about.source)), None);
     }
+    if let Some((beside, node)) = about.beside.as_ref().zip(source.node(&["case", "beside"])) {
+        let names: Vec<String> = beside.iter().map(|name| text(name)).collect();
+        system.given("beside", &format!("[{}]", names.join(", ")), &node.span, "");
+    }
     let mut notes = Vec::new();
     if !about.notes.is_empty() {
         notes.push(about.notes.trim().to_owned());

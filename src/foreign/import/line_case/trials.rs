@@ -9,10 +9,9 @@ use super::paths;
 use super::source::LineSource;
 use super::system_of;
 use crate::case::kind::read_variant;
-use crate::case::{Case, TomlNode, Trial, stand_alone};
+use crate::case::{Case, CaseInfo, TomlNode, Trial, stand_alone};
 use crate::import::to_case::case_text::{CaseText, text};
 use crate::system::SystemFile;
-use crate::system::model::SystemInfo;
 
 /// Tables that say what a file is and is held against, and that no trial sets.
 const BESIDE: [&str; 7] = [
@@ -206,7 +205,7 @@ fn sets_the_same(base: &SystemText, variant: &SystemText, set: &[String]) -> boo
     let none = BTreeMap::new();
     let read = |text: &str, edits: &[(&str, &str)]| {
         let mut file = read_variant::<SystemFile>(text, edits, &none).ok()?.content;
-        file.about = SystemInfo::default();
+        file.about = CaseInfo::default();
         file.published.clear();
         file.published_curve.clear();
         file.trend.clear();

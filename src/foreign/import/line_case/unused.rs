@@ -9,16 +9,10 @@ use super::trials::CarriedTrials;
 use crate::case::StartShape;
 
 /// Tables and keys that other views of a case are of, and what a system has in their place.
-const VIEWS: [(&[&str], &str); 2] = [
-    (
-        &["modes"],
-        "the natural modes of the line, which `seacable modes` has of the case",
-    ),
-    (
-        &["case", "beside"],
-        "runs of other cases that are listed beside it",
-    ),
-];
+const VIEWS: [(&[&str], &str); 1] = [(
+    &["modes"],
+    "the natural modes of the line, which `seacable modes` has of the case",
+)];
 
 /// Keys of what bears on a bed, without effect where there is none.
 const BEARING: [&str; 4] = [

@@ -24,11 +24,10 @@
 //! assert!(solve(system).is_ok());
 //! ```
 
-use crate::case::OneOrMany;
+use crate::case::{CaseInfo, OneOrMany};
 
 use super::{
-    LineInputs, PayoutInputs, PointInputs, PointKind, SlidingInputs, SystemFile, SystemInfo,
-    WhichEnd,
+    LineInputs, PayoutInputs, PointInputs, PointKind, SlidingInputs, SystemFile, WhichEnd,
 };
 
 impl SystemFile {
@@ -36,9 +35,9 @@ impl SystemFile {
     #[must_use]
     pub fn new(title: &str) -> Self {
         Self {
-            about: SystemInfo {
+            about: CaseInfo {
                 title: title.to_owned(),
-                ..SystemInfo::default()
+                ..CaseInfo::default()
             },
             ..Self::default()
         }
