@@ -2,7 +2,7 @@
 
 use super::run_cells::head;
 use super::state::{RunColumn, RunList};
-use crate::case::{self, QuantityId, Statistic, Subject};
+use crate::case::{self, CurveMeasure, QuantityId, Statistic, Subject};
 
 /// The head of a column, and what it is: its unit, and where it comes from.
 #[must_use]
@@ -67,10 +67,12 @@ pub fn result(name: &str) -> String {
                 within.map_or_else(String::new, |[from, to]| format!(", from {from} to {to} s"));
             format!("{}: {}{window}.", subject(of), statistic_words(*statistic))
         }
-        QuantityId::CurveDifference(channel, number) => {
-            format!(
-                "Root mean square of the difference of {channel} from the published curve {number} of the case."
-            )
+        QuantityId::CurveDifference(channel, measure, number) => {
+            let what = match measure {
+                CurveMeasure::RootMeanSquare => "Root mean square of the difference",
+                CurveMeasure::Greatest => "Greatest difference",
+            };
+            format!("{what} of {channel} from the published curve {number} of the case.")
         }
     };
     format!("{words}{unit} {origin}")

@@ -12,7 +12,7 @@ use std::sync::Arc;
 use super::carried_text::CarriedText;
 use super::diagnostic::{Diagnostic, Finding};
 use super::file_kind::FileKind;
-use super::model::{Attachment, CASE, Case, EndKind, MotionName};
+use super::model::{Attachment, CASE, Case, EndKind, MotionName, PublishedCurve};
 use super::shipped;
 use super::tree::TomlNode;
 use crate::files::root;
@@ -95,25 +95,31 @@ fn gather_from(reading: &FileSource<'_>, case: &mut Case) -> Result<(), Diagnost
     reading.take_load_cases(&mut case.files, &tables, &CASE)?;
     let checks = case.checks.clone();
     reading.take_checks(&mut case.files, &checks)?;
-    for number in 0..case.published_curve.len() {
-        let curve = &case.published_curve[number];
-        let Some(name) = curve.points_file.clone() else {
-            continue;
-        };
-        let words = curve.name.clone();
-        let shown = reading.take(
-            &mut case.files,
-            &name,
-            &["published_curve", &words, "points_file"],
-        )?;
-        let (time_s, value) = curve_points(&case.files[&name].text, &shown)?;
-        let curve = &mut case.published_curve[number];
-        (curve.time_s, curve.value) = (time_s, value);
-    }
+    reading.take_curves(&mut case.files, &mut case.published_curve)?;
     Ok(())
 }
 
 impl FileSource<'_> {
+    /// Takes the points of published curves from the files that they name.
+    ///
+    /// # Errors
+    /// A file that cannot be read, or holds no curve, with its line.
+    pub fn take_curves(
+        &self,
+        files: &mut BTreeMap<String, Attachment>,
+        curves: &mut [PublishedCurve],
+    ) -> Result<(), Diagnostic> {
+        for curve in curves {
+            let Some(name) = &curve.points_file else {
+                continue;
+            };
+            let key = ["published_curve", &*curve.name, "points_file"];
+            let shown = self.take(files, name, &key)?;
+            (curve.time_s, curve.value) = curve_points(&files[name].text, &shown)?;
+        }
+        Ok(())
+    }
+
     /// Sees to it that a file that is named at a key is carried; what it is called in words.
     pub fn take(
         &self,

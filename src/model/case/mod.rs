@@ -60,7 +60,7 @@ pub use effective_inputs::{EffectiveInput, NO_INPUTS, effective_inputs};
 pub use kind::LoadedFile;
 pub use line_quantity::{EnergyQuantity, LineQuantity, STEADY};
 pub use model::*;
-pub use quantity_id::QuantityId;
+pub use quantity_id::{CurveMeasure, QuantityId};
 pub use read::{
     LoadedCase, diagnose, load, load_from, parse, parse_beside, parse_keys, parse_of,
     parse_sharing, parse_stored, text_of_line, tree_of,
@@ -78,7 +78,7 @@ pub use write::write;
 pub use check::{
     BedShapeKeys, CheckedSection, FrictionKeys, drag_twice, increasing, of_attachments, of_checks,
     of_companions, of_current, of_line_start, of_load_cases, of_longest_step, of_material,
-    of_result, of_studies, of_study, of_study_point, of_trials, of_waves, takes_values,
+    of_result, of_studies, of_study, of_study_point, of_trials, of_waves, of_window, takes_values,
     too_many_rows, too_many_steps, two_others,
 };
 pub use fields::{is_name, join, nearest, split};

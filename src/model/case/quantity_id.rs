@@ -22,11 +22,31 @@ pub enum QuantityId {
         /// Of a statistic that is one of several, such as `peak`: its number, from 1.
         nth: Option<usize>,
     },
-    /// Difference of a channel from a published curve, by the curve's number among those of its case, from 1.
-    CurveDifference(ChannelId, usize),
+    /// Difference of a channel from a published curve, by the curve's number among those of its file, from 1.
+    CurveDifference(ChannelId, CurveMeasure, usize),
 }
 
-const FROM_CURVE: &str = "from_curve_";
+/// How far a channel is from a published curve.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum CurveMeasure {
+    /// Root mean square of the differences, in percent of the curve's greatest size.
+    RootMeanSquare,
+    /// The greatest difference, in percent of the curve's range.
+    Greatest,
+}
+
+impl CurveMeasure {
+    /// Both of them.
+    pub const ALL: [Self; 2] = [Self::RootMeanSquare, Self::Greatest];
+
+    /// What the name of its number begins with.
+    const fn prefix(self) -> &'static str {
+        match self {
+            Self::RootMeanSquare => "from_curve_",
+            Self::Greatest => "greatest_from_curve_",
+        }
+    }
+}
 
 impl QuantityId {
     /// The statistic of a subject.
@@ -89,9 +109,9 @@ impl QuantityId {
                 let window = window.unwrap_or_default();
                 (of.clone(), format!(".{}{nth}{window}", statistic.name()))
             }
-            Self::CurveDifference(channel, number) => (
+            Self::CurveDifference(channel, measure, number) => (
                 Subject::Channel(channel.clone()),
-                format!(".{FROM_CURVE}{number}"),
+                format!(".{}{number}", measure.prefix()),
             ),
         }
     }
@@ -114,9 +134,11 @@ impl FromStr for QuantityId {
             None => (text, None),
         };
         let (of, word) = name.rsplit_once('.').ok_or_else(wrong)?;
-        if let Some(number) = word.strip_prefix(FROM_CURVE) {
+        let of_curve =
+            |measure: CurveMeasure| Some((measure, word.strip_prefix(measure.prefix())?));
+        if let Some((measure, number)) = CurveMeasure::ALL.into_iter().find_map(of_curve) {
             let number = number.parse().map_err(|_| wrong())?;
-            return Ok(Self::CurveDifference(of.parse()?, number));
+            return Ok(Self::CurveDifference(of.parse()?, measure, number));
         }
         let (statistic, nth) = statistic_from(word).ok_or_else(wrong)?;
         Ok(Self::new(of.parse()?, statistic, within).numbered(nth))
@@ -151,6 +173,7 @@ mod tests {
             "tension_n[wire|payload].mean(2.5..20)",
             "z_m[a.b].c].arc_of_max(-1..0.5)",
             "tension_n[chain|wheel].from_curve_1",
+            "tension_n[chain|wheel].greatest_from_curve_2",
             "bend_radius_m.min",
             "rms_displacement_d.peak_2",
             "rms_displacement_d.valley_10(0..60.5)",

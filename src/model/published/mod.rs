@@ -2,6 +2,7 @@
 
 pub mod comparison;
 mod computed;
+pub mod curve;
 pub mod number;
 mod row;
 pub mod trend;

@@ -36,7 +36,7 @@ pub(super) fn set_aside(row: &mut ValidationRow, keys: &[&EditedKey]) {
 /// it. The duration counts for what is taken of the whole run. The key of a study does not count for rows at its points, which set
 /// it themselves.
 #[derive(Debug, Clone, Default)]
-pub struct RowScope<'a> {
+pub(super) struct RowScope<'a> {
     /// The studies at whose points it is, each of which sets its key.
     studies: Vec<&'a str>,
     /// Whether it is of the whole run, however long that is.
@@ -62,7 +62,6 @@ impl<'a> RowScope<'a> {
         }
     }
 
-    /// Of a curve of a line case.
     pub(super) fn of_curve(curve: &'a PublishedCurve) -> Self {
         Self {
             studies: curve.at.iter().map(|at| at.study.as_str()).collect(),

@@ -18,7 +18,6 @@ mod note;
 mod outcome_counts;
 pub mod papers;
 mod plan;
-pub mod published_history;
 mod runs_at;
 mod stated;
 pub mod table;
@@ -27,12 +26,11 @@ mod value;
 mod variant;
 
 pub use self::table::table;
-pub use edited::{RowScope, judge_plain as set_edited_aside};
+pub use edited::judge_plain as set_edited_aside;
 pub use outcome_counts::{OutcomeCounts, count_outcomes};
 pub use plan::plan;
-pub use published_history::PublishedHistory;
 pub use runs_at::NOT_RUN;
-pub use stated::{PublishedStatements, ResultsAt};
+pub use stated::{ComparedRun, PublishedStatements, ResultsAt, ended};
 pub use trend::{TrendStatement, compare_trend};
 pub use variant::{StudyVariant, rows_of_run, variant};
 
@@ -65,6 +63,7 @@ impl<'a> StatementsOfCase<'a> {
             studies: &self.case.study,
             numbers: &self.numbers,
             trends: &self.trends,
+            curves: &self.case.published_curve,
             reason: self.case.case.tolerance_reason.as_deref(),
         }
     }
@@ -80,12 +79,7 @@ pub fn rows<'r>(
     case: &Case,
     lookup: &dyn Fn(Option<&StudyPoint>) -> Option<&'r Run>,
 ) -> Vec<ValidationRow> {
-    let mut rows = StatementsOfCase::new(case).stated().rows(&RunsAt(lookup));
-    let curves = case.published_curve.iter().enumerate();
-    let curves = curves.map(|(number, curve)| curve::row(number, curve, lookup));
-    let common = case.case.tolerance_reason.as_deref();
-    rows.extend(curves.map(|row| row.with_common_reason(common)));
-    rows
+    StatementsOfCase::new(case).stated().rows(&RunsAt(lookup))
 }
 
 /// The same of a case with edited inputs: the rows whose published values are not for it read EDITED, with the reason.
@@ -96,9 +90,8 @@ pub fn rows_of_edited<'r>(
     lookup: &dyn Fn(Option<&StudyPoint>) -> Option<&'r Run>,
 ) -> Vec<ValidationRow> {
     let mut rows = rows(case, lookup);
-    let curves = case.published_curve.iter().map(RowScope::of_curve);
     let stated = StatementsOfCase::new(case);
-    stated.stated().set_edited_aside(&mut rows, curves, edited);
+    stated.stated().set_edited_aside(&mut rows, edited);
     rows
 }
 

@@ -1,9 +1,9 @@
 //! The results of runs of a line case by name, at the points of its studies.
 
-use super::stated::ResultsAt;
+use super::stated::{ComparedRun, ResultsAt, ended};
 use crate::case::{ChannelId, LineQuantity, Statistic, StudyPoint};
 use crate::published::ComputedNumber;
-use crate::run::{Channel, Profile, Quantity, QuantityId, Run, RunState, Subject, along_line};
+use crate::run::{Channel, Profile, Quantity, QuantityId, Run, Subject, along_line};
 
 /// What gives the run of a point.
 pub(super) type RunLookup<'l, 'r> = dyn Fn(Option<&StudyPoint>) -> Option<&'r Run> + 'l;
@@ -22,6 +22,11 @@ impl ResultsAt for RunsAt<'_, '_> {
         let id = name.parse::<QuantityId>().map_err(|why| why.to_string())?;
         find(run, &id).map(Quantity::computed)
     }
+
+    fn run(&self, at: Option<&StudyPoint>) -> Result<ComparedRun<'_>, String> {
+        let run = self.0(at).ok_or_else(|| NOT_RUN.to_owned())?;
+        ComparedRun::of_run(run)
+    }
 }
 
 /// Why a row has no number, where nothing was computed at its point.
@@ -29,27 +34,13 @@ pub const NOT_RUN: &str = "This variant of the case has not been run.";
 
 /// The number in a run, or why it is not there.
 fn find<'r>(run: &'r Run, id: &QuantityId) -> Result<&'r Quantity, String> {
-    if let Some(why) = unfinished(run) {
-        return Err(why);
-    }
+    ended(run.info.state, run.info.failure.as_deref())?;
     let found = run.summary.iter().find(|q| q.id == *id);
     let quantity = found.ok_or_else(|| missing(run, id))?;
     if quantity.value.is_finite() {
         Ok(quantity)
     } else {
         Err(format!("The run gives no finite value for `{id}`."))
-    }
-}
-
-fn unfinished(run: &Run) -> Option<String> {
-    match run.info.state {
-        RunState::Done => None,
-        RunState::Failed => {
-            let why = run.info.failure.as_deref().unwrap_or("no reason was given");
-            Some(format!("The run failed: {why}"))
-        }
-        RunState::Cancelled => Some("The run was cancelled before its end.".to_owned()),
-        RunState::Partial => Some("The run is partial: it never came to its end.".to_owned()),
     }
 }
 

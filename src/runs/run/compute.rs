@@ -173,7 +173,8 @@ fn evaluate(
     ));
     let steady = steady_state::settling_quantity(AskedResponse::of_case(case), &record.shapes);
     computed.modes.extend(steady);
-    computed.curves = published_curve::differences(case, &record.history);
+    let curves = published_curve::of_file_as_it_stands(case, &case.study, &case.published_curve);
+    computed.curves = published_curve::differences(&curves, &record.history);
     computed
 }
 

@@ -1,8 +1,10 @@
-//! Comparison of a run with the published curves of its case: root mean square of the differences, in percent of the
-//! greatest magnitude of the curve, over the output times of a window.
+//! Comparison of a run with the published curves of its file, at the points of the curves: what is published is known there and nowhere
+//! else, and a run is recorded more closely than a curve is printed.
 
-use super::{History, Quantity, QuantityId};
-use crate::case::{Case, PublishedCurve, stands_at};
+use super::{Channel, History, Quantity, QuantityId};
+use crate::case::schema::TableType;
+use crate::case::{CurveMeasure, PublishedCurve, Study, stands_at};
+use crate::numerics::interpolation::interval;
 
 /// Number of shifts of a periodic curve that are tried over a period.
 const SHIFTS: usize = 400;
@@ -12,52 +14,86 @@ const SHIFTS: usize = 400;
 pub struct CurveComparison {
     /// Root mean square of the differences \[% of the curve's greatest size\].
     pub percent: f64,
-    /// Times of the curve are those of the run plus this \[s\]; nonzero only for a periodic curve.
-    pub shift: f64,
+    /// The greatest difference \[% of the curve's range\]; absent of a curve without a range.
+    pub greatest_percent: Option<f64>,
+    /// The points of the curve within the run: times of the run \[s\] and values.
+    pub published: Vec<(f64, f64)>,
     /// Times \[s\] and values of the run within the window.
     pub samples: Vec<(f64, f64)>,
 }
 
-/// What identifies the difference from the curve of this number among those of a case, from 0.
-#[must_use]
-pub fn difference_id(curve: &PublishedCurve, number: usize) -> QuantityId {
-    QuantityId::CurveDifference(curve.channel.clone(), number + 1)
+impl CurveComparison {
+    /// How far the run is from the curve.
+    ///
+    /// # Errors
+    /// The curve has no range, whose part the difference would be.
+    pub fn measured(&self, measure: CurveMeasure) -> Result<f64, String> {
+        match measure {
+            CurveMeasure::RootMeanSquare => Ok(self.percent),
+            CurveMeasure::Greatest => {
+                let greatest = self.greatest_percent;
+                greatest.ok_or_else(|| "The published curve has no range.".to_owned())
+            }
+        }
+    }
 }
 
-/// Compares a record with a curve.
+/// What a curve is held to: its root mean square always, its greatest difference where it is asked for; each with what it may be \[%\].
+#[must_use]
+pub fn held(curve: &PublishedCurve) -> Vec<(CurveMeasure, f64)> {
+    let mut measures = vec![(CurveMeasure::RootMeanSquare, curve.tolerance_percent)];
+    let greatest = curve.greatest_percent;
+    measures.extend(greatest.map(|tolerance| (CurveMeasure::Greatest, tolerance)));
+    measures
+}
+
+/// What identifies the difference from the curve of this number among those of a file, from 0.
+#[must_use]
+pub fn difference_id(curve: &PublishedCurve, measure: CurveMeasure, number: usize) -> QuantityId {
+    QuantityId::CurveDifference(curve.channel.clone(), measure, number + 1)
+}
+
+/// Compares a record with a curve: of one that repeats, as often as it does within the window, shifted to where it fits best.
 ///
 /// # Errors
 /// Why there is nothing to compare, in words.
 pub fn compare(curve: &PublishedCurve, history: &History) -> Result<CurveComparison, String> {
-    let channel = history.channels.iter().find(|c| c.id == curve.channel);
-    let channel = channel.ok_or_else(|| format!("The run has no channel `{}`.", curve.channel))?;
-    let within = |t: f64| {
-        let window = curve.window_s;
-        window.is_none_or(|[from, to]| (from..=to).contains(&t))
-    };
-    let samples = history
-        .time
-        .iter()
-        .copied()
-        .zip(channel.values.iter().copied());
-    let samples: Vec<(f64, f64)> = samples.filter(|(t, _)| within(*t)).collect();
-    let points: Vec<(f64, f64)> = points(curve).collect();
-    let greatest = points.iter().fold(0.0_f64, |most, p| most.max(p.1.abs()));
+    let channel = channel_of(curve, history)?;
+    let greatest = most(curve.value.iter().copied());
     if greatest <= 0.0 {
         return Err("The published curve is zero everywhere.".to_owned());
     }
     let shifts = curve.period_s.map_or(1, |_| SHIFTS);
     let tried = (0..shifts).filter_map(|i| {
         let shift = curve.period_s.unwrap_or(0.0) * i as f64 / shifts as f64;
-        Some((apart(&points, curve.period_s, shift, &samples)?, shift))
+        let published = reached(curve, shift, history);
+        let off: Vec<f64> = published
+            .iter()
+            .map(|(time, value)| value_at(history, channel, *time) - value)
+            .collect();
+        let squares: f64 = off.iter().map(|d| d * d).sum();
+        let mean = f64::sqrt(squares / off.len() as f64);
+        (!off.is_empty()).then_some((mean, off, published))
     });
-    let (least, shift) = tried
+    let (mean, off, published) = tried
         .min_by(|a, b| a.0.total_cmp(&b.0))
-        .ok_or_else(|| "The run has no output times where the curve has points.".to_owned())?;
+        .ok_or_else(|| "The curve has no points during the run.".to_owned())?;
+    let range = range_of(&curve.value);
     Ok(CurveComparison {
-        percent: 100.0 * least / greatest,
-        shift,
-        samples,
+        percent: 100.0 * mean / greatest,
+        greatest_percent: (range > 0.0).then(|| 100.0 * most(off.iter().copied()) / range),
+        published,
+        samples: samples(curve, history, channel),
+    })
+}
+
+fn channel_of<'h>(curve: &PublishedCurve, history: &'h History) -> Result<&'h Channel, String> {
+    let mut channels = history.channels.iter();
+    let found = channels.find(|channel| channel.id == curve.channel);
+    found.ok_or_else(|| {
+        let known: Vec<String> = history.channels.iter().map(Channel::name).collect();
+        let (channel, known) = (&curve.channel, known.join(", "));
+        format!("The run has no channel `{channel}`; it has {known}.")
     })
 }
 
@@ -67,58 +103,92 @@ pub fn points(curve: &PublishedCurve) -> impl Iterator<Item = (f64, f64)> {
     curve.time_s.iter().copied().zip(values)
 }
 
-/// The differences of a record from the curves of its case; of curves that belong to another point of a study, none.
-pub(super) fn differences(case: &Case, history: &History) -> Vec<Quantity> {
-    let curves = case.published_curve.iter().enumerate();
-    let here = curves.filter(|(_, curve)| {
-        curve
-            .at
-            .as_ref()
-            .is_none_or(|at| stands_at(case, &case.study, at))
-    });
-    let number = |(number, curve): (usize, &PublishedCurve)| {
-        let percent = compare(curve, history).ok()?.percent;
-        Some(Quantity::new(difference_id(curve, number), percent))
-    };
-    here.filter_map(number).collect()
+/// The points of a curve within its window and a run, the times less a shift \[s\], as often as they repeat there.
+fn reached(curve: &PublishedCurve, shift: f64, history: &History) -> Vec<(f64, f64)> {
+    let ends = history.time.first().zip(history.time.last());
+    let (mut first, mut last) = ends.map_or((0.0, 0.0), |(first, last)| (*first, *last));
+    if let Some([from, to]) = curve.window_s {
+        (first, last) = (first.max(from), last.min(to));
+    }
+    let mut reached: Vec<(f64, f64)> = Vec::new();
+    for (time, value) in points(curve) {
+        let time = time - shift;
+        match curve.period_s {
+            None => reached.push((time, value)),
+            Some(period) => {
+                let turns = ((first - time) / period).ceil() as i64..;
+                let times = turns.map(|turn| time + period * turn as f64);
+                reached.extend(times.take_while(|t| *t <= last).map(|t| (t, value)));
+            }
+        }
+    }
+    reached.retain(|(time, _)| (first..=last).contains(time));
+    reached.sort_by(|a, b| a.0.total_cmp(&b.0));
+    reached
 }
 
-/// Root mean square of the differences of the samples from a curve that is shifted by a time; nothing where they do not
-/// meet.
-fn apart(
-    points: &[(f64, f64)],
-    period: Option<f64>,
-    shift: f64,
-    samples: &[(f64, f64)],
-) -> Option<f64> {
-    let differences = samples
-        .iter()
-        .filter_map(|(t, v)| Some(v - at(points, period, t + shift)?));
-    let (sum, count) = differences.fold((0.0, 0.0), |(sum, n), d| (sum + d * d, n + 1.0));
-    (count > 0.0).then(|| f64::sqrt(sum / count))
+/// A channel within the window of a curve, by its output times.
+fn samples(curve: &PublishedCurve, history: &History, channel: &Channel) -> Vec<(f64, f64)> {
+    let window = curve.window_s;
+    let within = |t: &f64| window.is_none_or(|[from, to]| (from..=to).contains(t));
+    let values = channel.values.iter().copied();
+    let all = history.time.iter().copied().zip(values);
+    all.filter(|(time, _)| within(time)).collect()
 }
 
-/// The curve at a time, interpolated linearly; a periodic one also from its last point to its first.
-fn at(points: &[(f64, f64)], period: Option<f64>, time: f64) -> Option<f64> {
-    let (first, last) = (*points.first()?, *points.last()?);
-    let time = period.map_or(time, |p| first.0 + (time - first.0).rem_euclid(p));
-    let after = points.partition_point(|p| p.0 <= time);
-    let before = *points.get(after.checked_sub(1)?)?;
-    let next = match (points.get(after), period) {
-        (Some(next), _) => *next,
-        (None, Some(period)) => (first.0 + period, first.1),
-        (None, None) => return (time <= last.0).then_some(last.1),
+/// A channel at a time within its run, straight between its output times.
+fn value_at(history: &History, channel: &Channel, time: f64) -> f64 {
+    let (times, values) = (&history.time, &channel.values);
+    if times.len() < 2 {
+        return values.first().copied().unwrap_or(0.0);
+    }
+    let i = interval(times, time);
+    let share = (time - times[i]) / (times[i + 1] - times[i]);
+    values[i] + share * (values[i + 1] - values[i])
+}
+
+/// The greatest size.
+fn most(values: impl Iterator<Item = f64>) -> f64 {
+    values.map(f64::abs).fold(0.0, f64::max)
+}
+
+fn range_of(values: &[f64]) -> f64 {
+    let greatest = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    greatest - values.iter().copied().fold(f64::INFINITY, f64::min)
+}
+
+/// The curves of a file that belong to it as it stands, not to another point of a study, with their numbers from 0.
+#[must_use]
+pub fn of_file_as_it_stands(
+    content: &impl TableType,
+    studies: &[Study],
+    curves: &[PublishedCurve],
+) -> Vec<(usize, PublishedCurve)> {
+    let here = |curve: &PublishedCurve| {
+        let at = curve.at.as_ref();
+        at.is_none_or(|at| stands_at(content, studies, at))
     };
-    let span = next.0 - before.0;
-    Some(
-        before.1
-            + (next.1 - before.1)
-                * if span > 0.0 {
-                    (time - before.0) / span
-                } else {
-                    0.0
-                },
-    )
+    let numbered = curves.iter().enumerate();
+    let here = numbered.filter(|(_, curve)| here(curve));
+    here.map(|(number, curve)| (number, curve.clone()))
+        .collect()
+}
+
+/// The differences of a record from curves of its file, of these numbers.
+#[must_use]
+pub fn differences(curves: &[(usize, PublishedCurve)], history: &History) -> Vec<Quantity> {
+    let of_curve = |(number, curve): &(usize, PublishedCurve)| {
+        let compared = compare(curve, history).ok();
+        let measures = held(curve).into_iter().filter_map(|(measure, _)| {
+            let percent = compared.as_ref()?.measured(measure).ok()?;
+            Some(Quantity::new(
+                difference_id(curve, measure, *number),
+                percent,
+            ))
+        });
+        measures.collect::<Vec<_>>()
+    };
+    curves.iter().flat_map(of_curve).collect()
 }
 
 #[cfg(test)]
@@ -126,32 +196,83 @@ mod tests {
     use std::f64::consts::TAU;
 
     use super::*;
+    use crate::case::{ChannelQuantity, Evidence, Provenance};
+
+    fn history(interval: f64, value: impl Fn(f64) -> f64) -> History {
+        let time: Vec<f64> = (0..=400).map(|k| interval * f64::from(k)).collect();
+        let values = time.iter().map(|t| value(*t)).collect();
+        History {
+            channels: vec![Channel {
+                values,
+                ..Channel::new(ChannelQuantity::Tension.at("line|b"))
+            }],
+            time,
+        }
+    }
+
+    fn curve(points: impl Iterator<Item = (f64, f64)>) -> PublishedCurve {
+        let (time_s, value) = points.unzip();
+        PublishedCurve {
+            name: "tension".to_owned(),
+            channel: ChannelQuantity::Tension.at("line|b"),
+            time_s,
+            value,
+            tolerance_percent: 1.0,
+            greatest_percent: Some(1.5),
+            source: "by hand".to_owned(),
+            inputs: Provenance::Assumed,
+            kind: Evidence::Predicted,
+            ..PublishedCurve::default()
+        }
+    }
 
     #[test]
-    fn a_curve_is_straight_between_its_points_and_ends_with_them() {
-        let points = [(0.0, 1.0), (1.0, 3.0), (2.0, 3.0)];
-        assert_eq!(at(&points, None, 0.5), Some(2.0));
-        assert_eq!(at(&points, None, 2.0), Some(3.0));
-        assert_eq!(at(&points, None, 2.1), None);
-        assert_eq!(at(&points, None, -0.1), None);
-        assert_eq!(at(&points, Some(4.0), 3.0), Some(2.0));
-        assert_eq!(at(&points, Some(4.0), -3.0), Some(3.0));
+    fn a_channel_is_held_against_the_points_that_its_run_and_window_reach() {
+        let points = [(0.0, 100.0), (0.35, 100.35), (1.3, 101.3), (100.0, 200.0)];
+        let mut curve = curve(points.into_iter());
+        let run = history(0.1, |t| 101.0 + t + f64::from(u8::from(t < 0.35)));
+        let found = compare(&curve, &run).unwrap();
+        // 2 at 0, 1.5 half way from 2 to 1 at 0.35, 1 at 1.3.
+        let mean = f64::sqrt((4.0 + 2.25 + 1.0) / 3.0) / 2.0;
+        assert!((found.percent - mean).abs() < 1e-9, "{found:?}");
+        assert!((found.greatest_percent.unwrap() - 2.0).abs() < 1e-9);
+        assert_eq!((found.published.len(), found.samples.len()), (3, 401));
+        curve.window_s = Some([0.5, 2.0]);
+        let found = compare(&curve, &run).unwrap();
+        assert_eq!((found.published.len(), found.samples.len()), (1, 16));
+        assert!((found.percent - 0.5).abs() < 1e-9, "{found:?}");
+        let measures: Vec<String> = differences(&[(1, curve.clone())], &run)
+            .iter()
+            .map(Quantity::name)
+            .collect();
+        let names = ["from_curve_2", "greatest_from_curve_2"]
+            .map(|name| format!("tension_n[line|b].{name}"));
+        assert_eq!(measures, names);
+        curve.channel = ChannelQuantity::Tension.at("line|a");
+        let why = compare(&curve, &run).unwrap_err();
+        assert!(
+            why.contains("no channel") && why.contains("line|b"),
+            "{why}"
+        );
     }
 
     #[test]
     fn a_curve_that_repeats_is_shifted_to_where_it_fits() {
-        let points: Vec<(f64, f64)> = (0..40)
-            .map(|i| (0.1 * f64::from(i), (TAU * f64::from(i) / 40.0).sin()))
-            .collect();
-        let sample = |i: i32| {
-            (
-                0.05 * f64::from(i),
-                (TAU * (0.05 * f64::from(i) - 1.0) / 4.0).sin() + 0.01,
-            )
+        let points = (0..40).map(|i| {
+            let i = f64::from(i);
+            (0.1 * i, (TAU * i / 40.0).sin())
+        });
+        let curve = PublishedCurve {
+            period_s: Some(4.0),
+            window_s: Some([4.0, 16.0]),
+            ..curve(points)
         };
-        let samples: Vec<(f64, f64)> = (0..400).map(sample).collect();
-        let apart = |shift: f64| apart(&points, Some(4.0), shift, &samples).unwrap();
-        assert!((apart(3.0) - 0.01).abs() < 2e-3);
-        assert!(apart(1.0) > 1.0);
+        let run = history(0.05, |t| (TAU * (t - 1.0) / 4.0).sin() + 0.01);
+        let found = compare(&curve, &run).unwrap();
+        assert!((found.percent - 1.0).abs() < 0.05, "{found:?}");
+        assert!((119..=121).contains(&found.published.len()));
+        for (time, value) in &found.published {
+            assert!((value - (TAU * (time - 1.0) / 4.0).sin()).abs() < 2e-3);
+        }
     }
 }

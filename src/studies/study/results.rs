@@ -4,6 +4,7 @@ use crate::case::fields::nearest;
 use crate::case::{
     self, Case, EndKind, EnergyQuantity, LineQuantity, Method, QuantityId, Statistic, Subject,
 };
+use crate::run::published_curve::{difference_id, held};
 use crate::run::requested_statistics::{StatisticSource, requested};
 
 /// Published values among the main results, at most.
@@ -124,10 +125,10 @@ pub fn result_ids(case: &Case) -> Vec<QuantityId> {
     if case.output.response_from_s.is_some() {
         ids.push(QuantityId::single(Subject::SteadyTime));
     }
-    let curves = case.published_curve.iter().zip(1..);
-    ids.extend(
-        curves.map(|(curve, number)| QuantityId::CurveDifference(curve.channel.clone(), number)),
-    );
+    for (number, curve) in case.published_curve.iter().enumerate() {
+        let measures = held(curve).into_iter();
+        ids.extend(measures.map(|(measure, _)| difference_id(curve, measure, number)));
+    }
     ids
 }
 

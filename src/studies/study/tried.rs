@@ -5,11 +5,11 @@ use std::sync::atomic::AtomicBool;
 
 use crate::case::file_kind::FileKind;
 use crate::case::{Case, Diagnostic, ReadFile, Trial};
-use crate::reference::{self, ValidationRow};
+use crate::reference::{self, ComparedRun, ValidationRow};
 use crate::run::job::{self, Request};
 use crate::run::{RunInfo, RunState, Settings, Work};
 use crate::system::results_in_time::id_in_time;
-use crate::system::validation::{self, ComparedRun, ComputedSystem};
+use crate::system::validation::{self, ComputedSystem};
 use crate::system::warnings::warnings;
 use crate::system::{SolvedSystem, SystemFile, motion};
 

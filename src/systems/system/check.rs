@@ -14,11 +14,12 @@ use super::motion::{check as motion, check_payout};
 use super::{quantities, results_in_time, rods};
 use crate::case::schema::{Key, TableNode};
 use crate::case::{
-    Finding, nearest, of_checks, of_current, of_load_cases, of_material, of_studies, of_trials,
-    unknown, used_twice,
+    ChannelId, Finding, nearest, of_checks, of_current, of_load_cases, of_material, of_studies,
+    of_trials, unknown, used_twice,
 };
-use crate::published::{number as published_number, trend as published_trend};
-use crate::reference::published_history;
+use crate::published::{
+    curve as published_curve, number as published_number, trend as published_trend,
+};
 
 /// Checks of a system.
 pub(super) fn check(keys: &SystemKeys<'_>) -> Vec<Finding> {
@@ -69,7 +70,12 @@ pub(super) fn check(keys: &SystemKeys<'_>) -> Vec<Finding> {
         &named,
     ));
     found.extend(published_trend::check(&keys.trend, unknown, &keys.study));
-    found.extend(published_history::check(&keys.published_curve));
+    let unknown = |key: &Key<'_, ChannelId>| results_in_time::unknown_channel(key, keys);
+    found.extend(published_curve::check(
+        &keys.published_curve,
+        unknown,
+        &keys.study,
+    ));
     found.extend(of_studies(&SYSTEM, keys.place.node, &keys.study));
     found.extend(trials(keys));
     found

@@ -63,6 +63,7 @@ impl FileKind for SystemFile {
                 }
             }
         }
+        source.take_curves(&mut self.files, &mut self.published_curve)?;
         source.take_load_cases(&mut self.files, &self.load_cases, &SYSTEM)?;
         source.take_checks(&mut self.files, &self.checks)?;
         if let Some(bed) = &self.seabed {

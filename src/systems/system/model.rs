@@ -16,10 +16,10 @@ use crate::case::fields::{Conditions, of, positive};
 use crate::case::schema::{table, words};
 use crate::case::{
     Attachment, CaseInfo, CheckInputs, Clump, Current, Environment, Floats, LoadCaseInputs, Mark,
-    Material, Modules, MotionInterpolation, OneOrMany, Output, Seabed, Solver, Start,
-    StatisticsInputs, Study, Trial, Waves,
+    Material, Modules, MotionInterpolation, OneOrMany, Output, PublishedCurve, Seabed, Solver,
+    Start, StatisticsInputs, Study, Trial, Waves,
 };
-use crate::reference::{PublishedHistory, PublishedNumber, PublishedTrend};
+use crate::reference::{PublishedNumber, PublishedTrend};
 
 const BEARING: Conditions = &[("kind", &["free", "body"])];
 const ON_BODY: Conditions = &[("kind", &["body"])];
@@ -88,7 +88,7 @@ table! {
         /// A published value the system is held against.
         published: Vec<PublishedNumber>;
         /// A published curve over time that the run is held against.
-        published_curve: Vec<PublishedHistory>;
+        published_curve: Vec<PublishedCurve>;
         /// A published statement of trend, checked along a study.
         trend: Vec<PublishedTrend>;
         /// One way in which a hard case is computed, and what must come of it.

@@ -12,7 +12,7 @@ use super::network::Network;
 use super::rest::refused;
 use super::solved::SolvedSystem;
 use super::stiffness::of_body;
-use crate::case::schema::Key;
+use crate::case::schema::{Key, KeyValue};
 use crate::case::{Finding, unknown_name};
 use crate::numerics::V3;
 
@@ -344,8 +344,8 @@ fn period(
 }
 
 /// A result of a part that the system does not have. Copies and halves of a part begin with its name.
-pub(super) fn unknown_part(
-    key: &Key<'_, String>,
+pub(super) fn unknown_part<T: KeyValue>(
+    key: &Key<'_, T>,
     part: &str,
     keys: &SystemKeys<'_>,
 ) -> Option<Finding> {

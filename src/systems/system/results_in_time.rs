@@ -5,7 +5,7 @@ use std::iter;
 use super::model::{SystemFile, SystemKeys};
 use super::quantities;
 use crate::case::schema::Key;
-use crate::case::{Finding, QuantityId, Subject, of_result};
+use crate::case::{ChannelId, Finding, QuantityId, Subject, of_result};
 
 /// The single number of a run that has this name; nothing for a result at rest, which has no statistic.
 #[must_use]
@@ -41,6 +41,12 @@ pub(super) fn unknown(key: &Key<'_, String>, keys: &SystemKeys<'_>) -> Option<Fi
     let in_time = "; of a run in time name it as in its summary, such as tension_n[...|b].max";
     found.remedy.push_str(in_time);
     Some(found)
+}
+
+/// A channel of a part that the system does not have.
+pub(super) fn unknown_channel(key: &Key<'_, ChannelId>, keys: &SystemKeys<'_>) -> Option<Finding> {
+    let part = key.get()?.place.split('|').next()?;
+    quantities::unknown_part(key, part, keys)
 }
 
 /// A result of a part that the system does not have. Copies and halves of a part begin with its name.

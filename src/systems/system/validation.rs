@@ -7,54 +7,23 @@ use super::results_in_time::id_in_time;
 use super::solved::SolvedSystem;
 use crate::case::{EditedKey, QuantityId, StudyPoint, stands_at};
 use crate::published::{ComputedNumber, PublishedNumber, ValidationRow};
-use crate::reference::{NOT_RUN, PublishedStatements, ResultsAt};
-use crate::run::error_estimate::HistoryPair;
-use crate::run::{History, Quantity, Run, edited_inputs};
+use crate::reference::{ComparedRun, NOT_RUN, PublishedStatements, ResultsAt, ended};
+use crate::run::{Run, edited_inputs};
 
-/// What a run in time is compared by.
-#[derive(Debug, Clone, Copy)]
-pub struct ComparedRun<'r> {
-    /// The channels at the output times.
-    pub history: &'r History,
-    /// All single numbers with their errors.
-    pub summary: &'r [Quantity],
-    /// The pairs of companions by which errors of curves are told; none of a stored run.
-    pub companions: &'r [HistoryPair],
+/// What a computed run is compared by.
+fn of_motion(run: &MotionRun) -> Result<ComparedRun<'_>, String> {
+    ended(run.state, run.failure.as_deref())?;
+    Ok(ComparedRun {
+        history: &run.history,
+        summary: &run.summary,
+    })
 }
 
-impl<'r> ComparedRun<'r> {
-    /// Of a run that is computed or stored.
-    ///
-    /// # Errors
-    /// Why the run ended early, as a sentence.
-    pub fn of_run(run: &'r Run) -> Result<Self, String> {
-        ended(run.info.failure.as_ref())?;
-        Ok(Self {
-            history: &run.history,
-            summary: &run.summary,
-            companions: &[],
-        })
-    }
-
-    fn of_motion(run: &'r MotionRun) -> Result<Self, String> {
-        ended(run.failure.as_ref())?;
-        Ok(Self {
-            history: &run.history,
-            summary: &run.summary,
-            companions: &run.companions,
-        })
-    }
-
-    /// A number of the summary, with its error where that is estimated.
-    fn number(&self, id: &QuantityId) -> Result<ComputedNumber, String> {
-        let found = self.summary.iter().find(|number| number.id == *id);
-        let number = found.ok_or_else(|| format!("The run has no result `{id}`."))?;
-        Ok(number.computed())
-    }
-}
-
-fn ended(failure: Option<&String>) -> Result<(), String> {
-    failure.map_or(Ok(()), |why| Err(format!("The run ended early: {why}.")))
+/// A number of the summary of a run, with its error where that is estimated.
+fn number(run: &ComparedRun<'_>, id: &QuantityId) -> Result<ComputedNumber, String> {
+    let found = run.summary.iter().find(|number| number.id == *id);
+    let number = found.ok_or_else(|| format!("The run has no result `{id}`."))?;
+    Ok(number.computed())
 }
 
 /// A system as it was computed: at rest, and its run or why there is none.
@@ -75,7 +44,7 @@ impl<'s> ComputedSystem<'s> {
                 Err("The file has no run: add [solver].".to_owned())
             }
             None => Err("`seacable validate` computes the run.".to_owned()),
-            Some(run) => ComparedRun::of_motion(run),
+            Some(run) => of_motion(run),
         };
         Self { solved, run }
     }
@@ -84,7 +53,7 @@ impl<'s> ComputedSystem<'s> {
     fn number(&self, name: &str) -> Result<ComputedNumber, String> {
         let solved = self.solved;
         match (id_in_time(name), &self.run) {
-            (Some(id), Ok(run)) => run.number(&id),
+            (Some(id), Ok(run)) => number(run, &id),
             (Some(_), Err(why)) => Err(why.clone()),
             (None, _) => {
                 // Closed forms are exact to rounding.
@@ -108,33 +77,42 @@ pub type SystemLookup<'l, 's> = dyn Fn(Option<&StudyPoint>) -> Option<ComputedSy
 /// The results of a system at the points of its studies.
 struct SystemsAt<'l, 's>(&'l SystemLookup<'l, 's>);
 
+impl<'s> SystemsAt<'_, 's> {
+    fn at(&self, at: Option<&StudyPoint>) -> Result<ComputedSystem<'s>, String> {
+        self.0(at).ok_or_else(|| match at {
+            Some(_) => "`seacable validate` computes the system at this point.".to_owned(),
+            None => NOT_RUN.to_owned(),
+        })
+    }
+}
+
 impl ResultsAt for SystemsAt<'_, '_> {
     fn unit(&self, name: &str) -> String {
         id_in_time(name).map_or_else(|| unit(name).to_owned(), |id| id.unit())
     }
 
     fn number(&self, at: Option<&StudyPoint>, name: &str) -> Result<ComputedNumber, String> {
-        let computed = self.0(at).ok_or_else(|| match at {
-            Some(_) => "`seacable validate` computes the system at this point.".to_owned(),
-            None => NOT_RUN.to_owned(),
-        })?;
-        computed.number(name)
+        self.at(at)?.number(name)
+    }
+
+    fn run(&self, at: Option<&StudyPoint>) -> Result<ComparedRun<'_>, String> {
+        self.at(at)?.run
     }
 }
 
-/// What the file of a system states of published numbers and trends.
+/// What the file of a system states of published numbers, trends and curves.
 #[must_use]
 pub fn stated(file: &SystemFile) -> PublishedStatements<'_> {
     PublishedStatements {
         studies: &file.study,
         numbers: &file.published,
         trends: &file.trend,
+        curves: &file.published_curve,
         reason: file.about.tolerance_reason.as_deref(),
     }
 }
 
-/// Rows for every published value and trend of a system at rest and of its run in time, then for every published curve of that run, in the
-/// order of its file. What is of a point of a study at which the system does not stand reads NOT RUN.
+/// Rows for every published value, trend and curve of a system at rest and of its run in time, in the order of its file. What is of a point of a study at which the system does not stand reads NOT RUN.
 #[must_use]
 pub fn rows(solved: &SolvedSystem, run: Option<&MotionRun>) -> Vec<ValidationRow> {
     rows_of(&ComputedSystem::new(solved, run))
@@ -182,7 +160,7 @@ pub fn set_edited_aside(rows: &mut [ValidationRow], file: &SystemFile, edited: &
         numbers: &numbers,
         ..stated(file)
     };
-    stated.set_edited_aside(rows, [], edited);
+    stated.set_edited_aside(rows, edited);
 }
 
 fn without_trials(mut rows: Vec<ValidationRow>) -> Vec<ValidationRow> {
@@ -191,17 +169,5 @@ fn without_trials(mut rows: Vec<ValidationRow>) -> Vec<ValidationRow> {
 }
 
 fn rows_at(file: &SystemFile, lookup: &SystemLookup<'_, '_>) -> Vec<ValidationRow> {
-    let mut rows = stated(file).rows(&SystemsAt(lookup));
-    let here = lookup(None);
-    let run = here.as_ref().map_or_else(
-        || Err(NOT_RUN.to_owned()),
-        |computed| computed.run.as_ref().map_err(String::clone),
-    );
-    let history = run.as_ref().map(|run| run.history).map_err(String::clone);
-    let companions = run.as_ref().map_or(&[][..], |run| run.companions);
-    let curves = file.published_curve.iter();
-    let curves = curves.flat_map(|curve| curve.rows(history.clone(), companions));
-    let common = file.about.tolerance_reason.as_deref();
-    rows.extend(curves.map(|row| row.with_common_reason(common)));
-    rows
+    stated(file).rows(&SystemsAt(lookup))
 }

@@ -39,7 +39,7 @@ pub(crate) use seacable_keys::check::{
 pub use solver::{of_companions, of_longest_step};
 pub use start::of_line_start;
 pub use studies::{of_studies, of_study, of_study_point, two_others};
-pub use taken::of_result;
+pub use taken::{of_result, of_window};
 pub use trials::of_trials;
 
 /// Errors of the keys of a case against each other.

@@ -81,6 +81,12 @@ pub(super) fn window(window: &Key<'_, [f64; 2]>, channel: Option<&Subject>) -> O
         let problem = format!("`{name}` of the whole line is taken over the whole run");
         return window.if_given(problem, "leave the window out");
     }
+    of_window(window)
+}
+
+/// A window of time that does not run forward.
+#[must_use]
+pub fn of_window(window: &Key<'_, [f64; 2]>) -> Option<Finding> {
     let (problem, remedy) = empty(window.value()?)?;
     Some(window.finding(problem, remedy))
 }

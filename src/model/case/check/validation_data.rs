@@ -7,9 +7,10 @@ use super::studies::{of_studies, of_study, of_study_point, two_others};
 use super::taken::{number as number_of, stretch, suits, window};
 use super::unknown_name;
 use crate::case::diagnostic::Finding;
-use crate::case::model::{CASE, CaseKeys, PublishedCurveKeys, PublishedKeys, TrendKeys};
+use crate::case::model::{CASE, CaseKeys, PublishedKeys, TrendKeys};
 use crate::case::schema::{Key, KeyValue};
 use crate::case::{ChannelId, ChannelQuantity, LineQuantity};
+use crate::published::curve;
 
 /// Checks of studies, published values and trends.
 pub(super) fn check(case: &CaseKeys<'_>) -> Vec<Finding> {
@@ -22,11 +23,11 @@ pub(super) fn check(case: &CaseKeys<'_>) -> Vec<Finding> {
         .as_ref()
         .map(|names| [&names[..], &quantities].concat());
     let (recorded, all) = (recorded.as_deref(), all.as_deref());
-    found.extend(
-        case.published_curve
-            .iter()
-            .flat_map(|(_, row)| curve(case, row, recorded)),
-    );
+    let is_channel = |name: &&String| name.parse::<ChannelId>().is_ok();
+    let channels =
+        recorded.map(|names| names.iter().filter(is_channel).cloned().collect::<Vec<_>>());
+    let unknown = |key: &Key<'_, ChannelId>| channel(case, key, channels.as_deref());
+    found.extend(curve::check(&case.published_curve, unknown, &case.study));
     found.extend(
         case.published
             .iter()
@@ -68,25 +69,6 @@ fn without_bore(case: &CaseKeys<'_>, channel: &str) -> Option<(String, String)> 
     })
 }
 
-fn curve(
-    case: &CaseKeys<'_>,
-    row: &PublishedCurveKeys<'_>,
-    recorded: Option<&[String]>,
-) -> Vec<Finding> {
-    let is_channel = |name: &&String| name.parse::<ChannelId>().is_ok();
-    let channels =
-        recorded.map(|names| names.iter().filter(is_channel).cloned().collect::<Vec<_>>());
-    let found = [
-        channel(case, &row.channel, channels.as_deref()),
-        window(&row.window_s, None),
-        points(row),
-        row.at
-            .as_ref()
-            .and_then(|at| of_study_point(&case.study, at)),
-    ];
-    found.into_iter().flatten().collect()
-}
-
 fn published(
     case: &CaseKeys<'_>,
     row: &PublishedKeys<'_>,
@@ -122,43 +104,6 @@ fn trend(case: &CaseKeys<'_>, row: &TrendKeys<'_>, known: Option<&[String]>) -> 
         of_study(&case.study, &row.study).err(),
     ];
     found.into_iter().flatten().collect()
-}
-
-/// A curve has as many values as times, at least two, and its times increase.
-fn points(row: &PublishedCurveKeys<'_>) -> Option<Finding> {
-    let key = if row.time_s.is_given() {
-        &row.time_s
-    } else {
-        &row.value
-    };
-    let finding = |problem: &str, remedy: &str| {
-        Some(Finding {
-            key: row.time_s.path(),
-            ..key.if_given(problem, remedy)?
-        })
-    };
-    if row.points_file.is_given() {
-        let problem = "the curve has its points twice: here and in `points_file`";
-        return finding(problem, "keep one of them");
-    }
-    let (times, values) = (row.time_s.get()?, row.value.get()?);
-    let problem = if times.len() != values.len() {
-        format!(
-            "there are {} times and {} values",
-            times.len(),
-            values.len()
-        )
-    } else if times.len() < 2 {
-        "a curve needs at least two points".to_owned()
-    } else if !times.is_sorted_by(|a, b| a < b) {
-        "the times do not increase".to_owned()
-    } else {
-        return None;
-    };
-    finding(
-        &problem,
-        "give as many values as times, the times increasing",
-    )
 }
 
 fn tolerance(row: &PublishedKeys<'_>) -> Option<Finding> {

@@ -174,18 +174,18 @@ table! {
 }
 
 table! {
-    /// A published curve over time and how a channel of a run is held against it: by the root mean square of their differences
-    /// at the output times, the curve straight between its points.
+    /// A published curve over time and how a channel of the run in time is held against it: by the root mean square of their
+    /// differences at the curve's points, the channel straight between its output times.
     #[derive(Debug, Clone, PartialEq)]
     pub struct PublishedCurve => PublishedCurveKeys {
         /// What the curve is, in words.
         name: String, "name";
         /// Channel of the history, such as tension_n[wire|payload].
         channel: ChannelId, "channel";
-        /// CSV file beside the case with the curve's points: time_s,value. In the place of time_s and value.
+        /// CSV file beside this one with the curve's points: time_s,value. In the place of time_s and value.
         points_file: Option<String>, "points file", absent "not used";
         /// Times of the curve's points, increasing.
-        time_s: Vec<f64>, "times", unless points_file;
+        time_s: Vec<f64>, "times", range of(0.0, 1e6), unless points_file;
         /// Values there, in the unit of the channel.
         value: Vec<f64>, "values", unit "", unless points_file;
         /// The curve repeats after this time, and the shift that fits best counts.
@@ -194,7 +194,9 @@ table! {
         window_s: Option<[f64; 2]>, "window", range of(0.0, f64::INFINITY), absent "the whole run";
         /// Greatest root mean square of the differences, in percent of the curve's greatest size.
         tolerance_percent: f64, "tolerance", unit "", range positive(100.0);
-        /// Where it is printed.
+        /// Greatest difference at a point, in percent of the curve's range.
+        greatest_percent: Option<f64>, "greatest difference", unit "", range positive(100.0), absent "not held";
+        /// Where it is printed, or what computed it and how.
         source: String, "source";
         /// Provenance of the inputs behind the computed curve, at worst.
         inputs: Provenance, "inputs";

@@ -2,7 +2,7 @@
 
 use super::moving_system::MovingSystem;
 use super::system_bounds::bounds;
-use crate::case::{QuantityId, Solver};
+use crate::case::{PublishedCurve, QuantityId, Solver};
 use crate::run::Settings;
 use crate::run::response::AskedResponse;
 
@@ -26,6 +26,8 @@ pub(super) struct MotionResults {
     pub(super) settled_from_s: Option<f64>,
     /// The results that the file holds against published values and limits.
     pub(super) stated: Vec<QuantityId>,
+    /// The published curves that the run is held against, with their numbers from 0.
+    pub(super) curves: Vec<(usize, PublishedCurve)>,
     /// The response of the lines, where it is asked for.
     pub(super) response: Option<AskedResponse>,
 }

@@ -24,6 +24,7 @@ use crate::run::computation::{Computation, first};
 use crate::run::compute::{Computed, INERTIA_LEFT_OUT};
 use crate::run::event::{JobEvent, Listener};
 use crate::run::lines_along::LinesAlong;
+use crate::run::published_curve::of_file_as_it_stands;
 use crate::run::refinable::Refinable;
 use crate::run::response::AskedResponse;
 use crate::run::settings::{SceneBounds, refused};
@@ -103,6 +104,7 @@ impl SystemInTime {
             recorded: MotionResults {
                 settled_from_s: window.map(|[from, _]| from),
                 stated: self.stated(begun),
+                curves: of_file_as_it_stands(file, &file.study, &file.published_curve),
                 response: asked_response(file).filter(|_| given.is_in_time()),
                 shape_interval_s: Some(file.output.shape_interval_s),
             },

@@ -29,6 +29,7 @@ use crate::run::method::method;
 use crate::run::observer::{LineAtEnd, NodeChange, RunEnd, RunRecord};
 use crate::run::observers::{ObservedRun, RecordedResponse, of_lines};
 use crate::run::output_times::OutputTimes;
+use crate::run::published_curve::differences;
 use crate::run::recorded::Recorded;
 use crate::run::recorder::{Recorder, RecorderPlan};
 use crate::run::requested_statistics::{self, StatisticSource, add_stated, of_channels, settled};
@@ -111,8 +112,8 @@ pub(super) fn compute<'a>(
         outcome,
         cost,
         modes: Vec::from_iter(settling_quantity(motion.recorded.response, &record.shapes)),
+        curves: differences(&motion.recorded.curves, &record.history),
         record,
-        curves: Vec::new(),
         happened: subject.happened,
     }
 }
