@@ -413,3 +413,63 @@ fn runs_beside_it_go_along() {
     assert_eq!(about.beside, Some(vec!["other.toml".to_owned()]));
     assert!(about.notes.is_empty(), "{}", about.notes);
 }
+
+/// A motion by a file, whose rows are those of its table; what is wrong with it stands at its key or its row.
+#[test]
+fn a_motion_by_a_file_stays_one() {
+    let harmonic = "amplitude_m = [1.0, 0.5, 2.0]\nperiod_s = 8.0\n";
+    let by_file =
+        "motion = \"table\"\nmotion_file = \"m.csv\"\nmotion_interpolation = \"linear\"\n";
+    let text = |rows: &str| {
+        let wire = WIRE
+            .replace(harmonic, by_file)
+            .replace("\"long_m\"", "40.0");
+        let wire = wire.replace(
+            "[output]",
+            &format!("[files.\"m.csv\"]\ntext = \"\"\"\n{rows}\"\"\"\n[output]"),
+        );
+        line_case::read(&wire, Path::new("wire.toml")).unwrap().text
+    };
+    let rows = "time_s,x_m,y_m,z_m\n0,0,0,0\n1,0.5,0,1\n2,0,0.2,0\n";
+    let system = text(rows);
+    assert!(system.contains("motion_file = \"m.csv\""), "{system}");
+    let values = |system: &str| {
+        let history = system_run(system).history;
+        history.channel("tension_n[line|b]").unwrap().values.clone()
+    };
+    let [own, still] =
+        [rows, "time_s,x_m,y_m,z_m\n0,0,0,0\n2,0,0,0\n"].map(|rows| values(&text(rows)));
+    let table = "table_time_s = [0.0, 1.0, 2.0]\ntable_x_m = [0.0, 0.5, 0.0]\ntable_y_m = [0.0, 0.0, 0.2]\ntable_z_m = [0.0, 1.0, 0.0]\n";
+    let by_keys: Vec<String> = system
+        .lines()
+        .map(|line| match line.starts_with("motion_file") {
+            true => table.to_owned(),
+            false => line.to_owned(),
+        })
+        .collect();
+    assert_eq!(own, values(&by_keys.join("\n")));
+    assert!(greatest_difference(&own, &still) > 1e-2, "{own:?}");
+    for (from, to, key, problem) in [
+        (
+            "\\n2,0,0.2,0",
+            "",
+            "points.ship.motion_file",
+            "its times go from 0 s to 1 s",
+        ),
+        ("\\n1,0.5", "\\n3,0.5", "time_s", "does not come after"),
+        (
+            "motion_file = ",
+            "table_time_s = [0.0, 2.0]\nmotion_file = ",
+            "points.ship.table_time_s",
+            "is given beside a motion by a file",
+        ),
+    ] {
+        let wrong = system.replace(from, to);
+        let found = kind::read::<SystemFile>(&wrong, "system.toml").unwrap_err();
+        assert!(
+            found[0].key == key && found[0].problem.contains(problem),
+            "{found:?}"
+        );
+        assert!(found[0].line > 0, "{found:?}");
+    }
+}

@@ -85,7 +85,9 @@ fn gather_from(reading: &FileSource<'_>, case: &mut Case) -> Result<(), Diagnost
             MotionName::Vessel => {
                 carried_numbers(carried, &shown, &response_columns())?;
             }
-            _ => places(carried, &shown)?,
+            _ => {
+                places(carried, &shown)?;
+            }
         }
     }
     if let Some(bed) = case.seabed.clone() {
@@ -161,8 +163,11 @@ impl FileSource<'_> {
     }
 }
 
-/// Checks a table of places over time: two rows at least, the times increasing.
-fn places(text: &CarriedText, file: &str) -> Result<(), Diagnostic> {
+/// A table of places over time, as columns of [`PLACES`] \[s, m\].
+///
+/// # Errors
+/// Fewer than two rows, or times that do not increase.
+pub fn places(text: &CarriedText, file: &str) -> Result<Arc<Vec<Vec<f64>>>, Diagnostic> {
     let columns = PLACES.map(str::to_owned);
     let rows = carried_numbers(text, file, &columns)?;
     if rows.windows(2).any(|pair| pair[1][0] <= pair[0][0]) {
@@ -176,7 +181,7 @@ fn places(text: &CarriedText, file: &str) -> Result<(), Diagnostic> {
             "a motion needs two rows at least",
             "give a line for each time: time and place",
         )),
-        _ => Ok(()),
+        _ => Ok(rows),
     }
 }
 

@@ -295,7 +295,7 @@ impl Builder<'_> {
         let number = self.network.points.len();
         let held = self.held(given, place, self.file.places(given_name));
         let motion = (given.kind == PointKind::Moved)
-            .then(|| point_motion(given, place.unwrap_or_default()));
+            .then(|| point_motion(given, &self.file.files, place.unwrap_or_default()));
         let suction = self.suction(given);
         if let (Held::On(body, at), Some(bearing)) = (&held, self.bearing(given)) {
             self.network.bodies[*body].feet.push(BodyFoot {

@@ -6,13 +6,13 @@ use std::sync::LazyLock;
 use super::build::sea_of;
 use super::check::check;
 use super::connected::Loose;
-use super::model::{BodyInputs, SystemFile, SystemKeys};
+use super::model::{BodyInputs, PointKind, SystemFile, SystemKeys};
 use super::motion::responses::wave_response;
 use super::potential_flow::PotentialFlow;
 use super::potential_flow::wave_loads::uncovered;
 use super::rest::UnsolvedSystem;
 use super::solved::{SolvedSystem, solve};
-use crate::case::attachments::FileSource;
+use crate::case::attachments::{FileSource, places};
 use crate::case::fields::{POSITION, Schema};
 use crate::case::file_kind::{FileContent, FileKind};
 use crate::case::schema::schema_of;
@@ -64,6 +64,16 @@ impl FileKind for SystemFile {
             }
         }
         source.take_curves(&mut self.files, &mut self.published_curve)?;
+        let until = self.in_time().map(|solver| solver.duration_s);
+        for (name, point) in &self.points {
+            let moved = point.kind == PointKind::Moved;
+            if let Some(file) = point.motion_file.as_ref().filter(|_| moved) {
+                let key = ["points", name, "motion_file"];
+                let shown = source.take(&mut self.files, file, &key)?;
+                let rows = places(&self.files[file].text, &shown)?;
+                covered(&rows, until, (&key, source))?;
+            }
+        }
         source.take_load_cases(&mut self.files, &self.load_cases, &SYSTEM)?;
         source.take_checks(&mut self.files, &self.checks)?;
         if let Some(bed) = &self.seabed {
@@ -142,6 +152,24 @@ impl FileKind for SystemFile {
         }
         rows
     }
+}
+
+/// Rows of a motion by time that do not cover the run, which ends at a time \[s\].
+fn covered(
+    rows: &[Vec<f64>],
+    until: Option<f64>,
+    (key, source): (&[&str], &FileSource<'_>),
+) -> Result<(), Diagnostic> {
+    let [first, last] = [rows.first(), rows.last()].map(|row| row.map_or(0.0, |row| row[0]));
+    let until = until.unwrap_or(0.0);
+    if first <= 0.0 && last >= until * (1.0 - 1e-9) {
+        return Ok(());
+    }
+    let span = source.root.find(key).map_or(0..0, |node| node.span.clone());
+    let problem =
+        format!("its times go from {first} s to {last} s, and the run from 0 s to {until} s");
+    let remedy = "give rows from 0 s or before to the end of the run, or a shorter duration_s";
+    Err(Finding::new(&span, key.join("."), problem, remedy).at(source.file, source.text))
 }
 
 /// Loads by the heading of a current that changes with time.

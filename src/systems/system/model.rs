@@ -212,6 +212,8 @@ table! {
         table_y_m: Vec<f64>, "y of the table", range of(-1e5, 1e5), absent "0", matters MOVED;
         /// z from its position at these times.
         table_z_m: Vec<f64>, "z of the table", range of(-1e5, 1e5), absent "0", matters MOVED;
+        /// CSV file beside the system, time_s,x_m,y_m,z_m, with the rows of its table.
+        motion_file: Option<String>, "motion file", absent "no file", matters MOVED;
         /// How its table is interpolated: a spline is smooth, the others end steps at the kinks of their rows.
         table_interpolation: MotionInterpolation = MotionInterpolation::Spline, "table interpolation", matters MOVED;
         /// Root mean square of an irregular motion along x, y, z, in the place of harmonics.
@@ -256,6 +258,7 @@ impl PointInputs {
             table_x_m: Vec::new(),
             table_y_m: Vec::new(),
             table_z_m: Vec::new(),
+            motion_file: None,
             table_interpolation: MotionInterpolation::Spline,
             rms_m: [0.0; 3],
             peak_period_s: None,

@@ -99,9 +99,10 @@ pub(super) fn files(system: &mut CaseText<'_>, source: &LineSource<'_>) {
     let mut named: Vec<&String> = bed.chain(load_cases).collect();
     if source.is_in_time() {
         let ends = [&case.ends.a, &case.ends.b].into_iter();
-        let vessels =
-            ends.filter(|end| end.kind == EndKind::Moving && end.motion == MotionName::Vessel);
-        named.extend(vessels.filter_map(|end| end.motion_file.as_ref()));
+        let of_file = [MotionName::Vessel, MotionName::Table];
+        let moving =
+            ends.filter(|end| end.kind == EndKind::Moving && of_file.contains(&end.motion));
+        named.extend(moving.filter_map(|end| end.motion_file.as_ref()));
     }
     for check in &case.checks {
         named.extend(

@@ -7,7 +7,6 @@ use super::places::on_free_end;
 use super::source::{LETTERS, LineSource};
 use super::start;
 use super::turning_payload;
-use crate::case::attachments::{PLACES, carried_numbers};
 use crate::case::{End, EndKind, MotionName, StartShape};
 use crate::import::to_case::case_text::{CaseText, numbers, text};
 use crate::scene::end_motion;
@@ -56,7 +55,7 @@ fn held(system: &mut CaseText<'_>, source: &LineSource<'_>, letter: &str, kind: 
 fn moved(system: &mut CaseText<'_>, source: &LineSource<'_>, letter: &str, end: &End) {
     held(system, source, letter, "moved");
     match end.motion {
-        MotionName::Table => table(system, source, letter, end),
+        MotionName::Table => table(system, source, letter),
         MotionName::Harmonic => {
             copy(
                 system,
@@ -139,33 +138,14 @@ fn vessel_name(end: &End) -> String {
     format!("vessel-at-{}", end.name)
 }
 
-/// The rows of the file of a motion, columns without motion left out.
-fn table(system: &mut CaseText<'_>, source: &LineSource<'_>, letter: &str, end: &End) {
-    let Some(span) = source.span(&["ends", letter, "motion_file"]) else {
-        return;
-    };
-    let rows = rows_of(source, end);
-    let keys = ["table_time_s", "table_x_m", "table_y_m", "table_z_m"];
-    for (column, key) in keys.into_iter().enumerate() {
-        let values: Vec<f64> = rows.iter().map(|row| row[column]).collect();
-        if column == 0 || values.iter().any(|value| *value != 0.0) {
-            system.given(key, &numbers(&values), span, "motion_file");
-        }
-    }
+/// The file of a motion, and how its rows are interpolated.
+fn table(system: &mut CaseText<'_>, source: &LineSource<'_>, letter: &str) {
+    copy(system, source, letter, &["motion_file"]);
     let interpolation = ["ends", letter, "motion_interpolation"];
     if let Some(node) = source.node(&interpolation) {
         let value = value_of(source, node);
         system.given("table_interpolation", &value, &node.span, "");
     }
-}
-
-/// The rows of the file that an end moves by: time \[s\], then places \[m\]. It was read with the case.
-pub(super) fn rows_of(source: &LineSource<'_>, end: &End) -> Vec<Vec<f64>> {
-    let columns = PLACES.map(str::to_owned);
-    let name = end.motion_file.as_deref().unwrap_or_default();
-    let file = source.case.files.get(name);
-    let rows = file.and_then(|file| carried_numbers(&file.text, name, &columns).ok());
-    rows.map_or_else(Vec::new, |rows| rows.to_vec())
 }
 
 fn free(system: &mut CaseText<'_>, source: &LineSource<'_>, letter: &str, end: &End) {

@@ -5,7 +5,7 @@ use super::lines::{line_at, line_of};
 use super::places::{end_of, on_free_end};
 use super::source::{LETTERS, LineSource};
 use super::start;
-use crate::case::{Case, LineEnd, Payload, split};
+use crate::case::{Case, EndKind, LineEnd, MotionName, Payload, split};
 
 /// The key path of the system whose value is that of a key of the case; nothing where no key of the system is.
 pub(super) fn translated(source: &LineSource<'_>, path: &str) -> Option<String> {
@@ -123,6 +123,16 @@ fn of_end(source: &LineSource<'_>, letter: &str, key: &str, axis: &[&str]) -> Op
     if of_point.contains(&key) && end.kind.is_held() && !moves_more {
         let path = [&["points", &*end.name, key], axis].concat();
         return Some(path.join("."));
+    }
+    let by_table = end.kind == EndKind::Moving && end.motion == MotionName::Table;
+    if by_table && source.is_in_time() {
+        match key {
+            "motion_file" => return Some(format!("points.{}.motion_file", end.name)),
+            "motion_interpolation" => {
+                return Some(format!("points.{}.table_interpolation", end.name));
+            }
+            _ => {}
+        }
     }
     let name = line_at(
         &source.case,

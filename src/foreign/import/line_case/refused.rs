@@ -57,8 +57,10 @@ fn start(source: &LineSource<'_>) -> Vec<Fault> {
     let start = &source.case.start;
     let mut found = Vec::new();
     if start.from_run.is_some() {
-        let problem = "a system begins at no stored run of a line";
-        found.push(source.fault(&["start", "from_run"], problem, "start in equilibrium"));
+        // Its state is of the nodes of a line alone: no joints, points and bodies, and other digests than those of a system's text.
+        let problem = "names a stored run of a line, whose last state is none of a system of points and lines";
+        let remedy = "start in equilibrium, or carry a run of the system itself on with `seacable run --resume`";
+        found.push(source.fault(&["start", "from_run"], problem, remedy));
     }
     found
 }

@@ -78,7 +78,8 @@ impl CarriedTrials {
             system.table("[[trial]]", Some(&node.span));
             let name = ["set", "rows"];
             copy_keys(system, source, node, &name);
-            let lists = [Some(&carried.set), carried.rows.as_ref()];
+            let lists = [Some(&carried.set), carried.rows.as_ref()]
+                .map(|list| list.filter(|list| !list.is_empty()));
             for (key, list) in name.into_iter().zip(lists) {
                 if let Some((list, at)) = list.zip(node.get(key)) {
                     let list: Vec<String> = list.iter().map(|word| text(word)).collect();

@@ -147,10 +147,17 @@ pub(in crate::system) fn motion(keys: &SystemKeys<'_>) -> Vec<Finding> {
     for (_, point) in &keys.points {
         let columns = [&point.table_x_m, &point.table_y_m, &point.table_z_m];
         found.extend(motion_table(&point.table_time_s, &columns, until));
-        found.extend(interpolated_table(
-            &point.table_interpolation,
-            &point.table_time_s,
-        ));
+        if point.motion_file.is_given() {
+            let problem = "is given beside a motion by a file";
+            let remedy = "leave it out, or `motion_file`";
+            found.extend(point.amplitude_m.if_given(problem, remedy));
+            found.extend(point.table_time_s.if_given(problem, remedy));
+        } else {
+            found.extend(interpolated_table(
+                &point.table_interpolation,
+                &point.table_time_s,
+            ));
+        }
     }
     for (_, body) in &keys.bodies {
         let columns = [
@@ -188,6 +195,7 @@ fn irregular(point: &PointKeys<'_>) -> Vec<Finding> {
         let remedy = "leave it out, or `rms_m`";
         found.extend(point.amplitude_m.if_given(problem, remedy));
         found.extend(point.table_time_s.if_given(problem, remedy));
+        found.extend(point.motion_file.if_given(problem, remedy));
         return found;
     }
     let problem = "has no effect: the point has no irregular motion";

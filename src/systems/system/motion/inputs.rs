@@ -1,9 +1,10 @@
 //! The motions that a file prescribes, in SI.
 
+use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
 use super::PoseMotion;
-use crate::case::{MotionInterpolation, OneOrMany};
+use crate::case::{Attachment, MotionInterpolation, OneOrMany, attachments};
 use crate::numerics::V3;
 use crate::numerics::piecewise::PiecewiseCubic;
 use crate::numerics::spline::Spline;
@@ -13,9 +14,13 @@ use crate::physics::sea::{Component, Harmonics};
 use crate::scene::IrregularMotion;
 use crate::system::model::{BodyInputs, PointInputs};
 
-/// The motion of a moved point about its place \[m\].
+/// The motion of a moved point about its place \[m\]; the files of its system hold the table that it may name.
 #[must_use]
-pub fn point_motion(given: &PointInputs, place: V3) -> EndMotion {
+pub fn point_motion(
+    given: &PointInputs,
+    files: &BTreeMap<String, Attachment>,
+    place: V3,
+) -> EndMotion {
     let periods = match &given.period_s {
         Some(OneOrMany::One(period)) => [*period; 3],
         Some(OneOrMany::Many(periods)) => {
@@ -38,7 +43,10 @@ pub fn point_motion(given: &PointInputs, place: V3) -> EndMotion {
         };
     }
     let columns = [&given.table_x_m, &given.table_y_m, &given.table_z_m];
-    let rows = rows(&given.table_time_s, columns, 1.0);
+    let rows = match &given.motion_file {
+        Some(name) => rows_of_file(files, name),
+        None => rows(&given.table_time_s, columns, 1.0),
+    };
     if let Some(course) = table(&rows, given.table_interpolation) {
         return EndMotion {
             position: place,
@@ -103,6 +111,15 @@ pub fn body_motion(given: &BodyInputs) -> PoseMotion {
             given.amplitude_deg.map(f64::to_radians),
         ),
     }
+}
+
+/// The rows of a file of places over time, which was checked with its system; none where it is not carried.
+fn rows_of_file(files: &BTreeMap<String, Attachment>, name: &str) -> Vec<(f64, V3)> {
+    let carried = files.get(name);
+    let rows = carried.and_then(|file| attachments::places(&file.text, name).ok());
+    let rows = rows.iter().flat_map(|rows| rows.iter());
+    rows.map(|row| (row[0], V3::new(row[1], row[2], row[3])))
+        .collect()
 }
 
 /// The rows of a table, absent columns zero.
