@@ -127,12 +127,16 @@ fn at_end(source: &LineSource<'_>, id: &ChannelId, end: LineEnd) -> Option<Chann
     if turns && OF_BED.contains(&quantity) {
         return bears(source, end).then(|| quantity.at(bottom_point(source)));
     }
-    let of_point = ChannelQuantity::POSITION.contains(&quantity)
-        || ChannelQuantity::FORCE.contains(&quantity)
-        || [ChannelQuantity::Uplift, ChannelQuantity::Speed].contains(&quantity)
-        || (OF_BED.contains(&quantity) && bears(source, end));
     let payload = source.case.payload.as_ref();
     let is_cut_off = given.kind == EndKind::Payload
         && payload.is_some_and(|payload| payload.release_s.is_some());
-    (of_point && given.release_s.is_none() && !is_cut_off).then(|| id.clone())
+    let moves = ChannelQuantity::POSITION.contains(&quantity) || quantity == ChannelQuantity::Speed;
+    if moves && (is_cut_off || given.release_s.is_some()) {
+        // What is let go is the end of the line, which its point stays behind.
+        let line = line_at(&source.case, end);
+        return Some(quantity.at(format!("{line}|{}", letter(end))));
+    }
+    let of_point =
+        moves || is_force || (OF_BED.contains(&quantity) && bears(source, end) && !is_cut_off);
+    of_point.then(|| id.clone())
 }

@@ -96,7 +96,9 @@ pub(super) fn files(system: &mut CaseText<'_>, source: &LineSource<'_>) {
     let case = &source.case;
     let bed = case.seabed.iter().filter_map(|bed| bed.depth_file.as_ref());
     let load_cases = case.load_cases.iter().filter_map(|of| of.file.as_ref());
-    let mut named: Vec<&String> = bed.chain(load_cases).collect();
+    let curves = case.published_curve.iter();
+    let curves = curves.filter_map(|curve| curve.points_file.as_ref());
+    let mut named: Vec<&String> = bed.chain(load_cases).chain(curves).collect();
     if source.is_in_time() {
         let ends = [&case.ends.a, &case.ends.b].into_iter();
         let of_file = [MotionName::Vessel, MotionName::Table];

@@ -9,7 +9,7 @@ use crate::case::{
     ChannelId, ChannelQuantity, Published, PublishedCurve, QuantityId, Statistic, Study,
     StudyPoint, StudyValue, Subject, TomlNode, Trend,
 };
-use crate::import::to_case::case_text::{CaseText, number, numbers, text};
+use crate::import::to_case::case_text::{CaseText, number, text};
 
 /// Keys that numbers, trends and curves have in both kinds of file.
 const KEPT: [&str; 14] = [
@@ -28,6 +28,9 @@ const KEPT: [&str; 14] = [
     "out_of_reach",
     "greatest_percent",
 ];
+
+/// Keys that curves have in both kinds of file beside these.
+const OF_CURVES: [&str; 4] = ["points_file", "time_s", "period_s", "window_s"];
 
 /// A result of a case: what it is of, what is taken of that, within which window or stretch, which of several.
 struct CaseResult<'c> {
@@ -116,9 +119,9 @@ fn channel_of(row: &Published) -> Option<&ChannelId> {
 
 /// The channel of a system in time that a published curve is of.
 fn channel(source: &LineSource<'_>, curve: &PublishedCurve) -> Option<ChannelId> {
-    let is_plain = curve.at.is_none() && curve.period_s.is_none() && curve.window_s.is_none();
-    let found = channels::translated(source, &curve.channel);
-    found.filter(|_| is_plain)
+    let mut at = curve.at.iter();
+    let is_known = at.all(|at| has_study(source, &at.study));
+    channels::translated(source, &curve.channel).filter(|_| is_known)
 }
 
 /// Whether a published curve, value or trend is of a force on an end.
@@ -200,14 +203,12 @@ fn value(
         system.given("divided_by", &text(&by), &at.span, "by_stretch_m");
     }
     kept(system, source, node);
-    for (key, point) in [
+    for (key, other) in [
         ("at", &row.at),
         ("change_from", &row.change_from),
         ("ratio_to", &row.ratio_to),
     ] {
-        if let Some((point, at)) = point.as_ref().zip(node.get(key)) {
-            system.given(key, &inline(point), &at.span, "");
-        }
+        point(system, node, key, other.as_ref());
     }
 }
 
@@ -222,10 +223,15 @@ fn curve(
     if let Some(at) = node.get("channel") {
         system.given("channel", &text(&channel.to_string()), &at.span, "");
     }
-    system.given("time_s", &numbers(&row.time_s), &node.span, "");
+    copied(system, source, node, &OF_CURVES);
     kept(system, source, node);
-    if node.get("value").is_none() {
-        system.given("value", &numbers(&row.value), &node.span, "points_file");
+    point(system, node, "at", row.at.as_ref());
+}
+
+/// Writes a point of a study.
+fn point(system: &mut CaseText<'_>, node: &TomlNode, key: &str, point: Option<&StudyPoint>) {
+    if let Some((point, at)) = point.zip(node.get(key)) {
+        system.given(key, &inline(point), &at.span, "");
     }
 }
 
@@ -245,7 +251,11 @@ fn inline(point: &StudyPoint) -> String {
 
 /// The keys of a published value, trend or curve that say what it is worth.
 fn kept(system: &mut CaseText<'_>, source: &LineSource<'_>, node: &TomlNode) {
-    for key in KEPT {
+    copied(system, source, node, &KEPT);
+}
+
+fn copied(system: &mut CaseText<'_>, source: &LineSource<'_>, node: &TomlNode, keys: &[&str]) {
+    for key in keys {
         if let Some(value) = node.get(key) {
             system.given(key, &value_of(source, value), &value.span, "");
         }

@@ -58,6 +58,8 @@ impl<'a> ChannelValues<'a> {
             Source::Uplift(joint) => self.pull(joint).z,
             Source::Force(joint, axis) => self.component(axis, |own| own.pull(joint)),
             Source::Speed(joint) => state.joints.v[joint].norm(),
+            Source::EndPlace((line, end), axis) => state.joints.x[state.attached[line][end]][axis],
+            Source::EndSpeed(line, end) => state.joints.v[state.attached[line][end]].norm(),
             Source::BedForce(joint) => system.bed_force(joint, state),
             Source::Landing(number) => {
                 let landed = state.joints.memory.bodies.get(number);

@@ -11,7 +11,7 @@ use super::point_loads::bears;
 use super::system_state::SystemState;
 use crate::case::{ChannelId, ChannelQuantity, DynamicStiffness, FrictionLaw, Material};
 use crate::system::SolvedSystem;
-use crate::system::network::{Body, Held, Line, Network};
+use crate::system::network::{Body, Held, Line, Network, ReleaseCondition};
 use crate::system::parts::parts as parts_of;
 
 /// Place of the channel of the height of the waves.
@@ -41,6 +41,10 @@ pub(super) enum Source {
     Force(usize, usize),
     /// Speed of a joint.
     Speed(usize),
+    /// A coordinate of the end A or B of a line, wherever that is.
+    EndPlace((usize, usize), usize),
+    /// Speed of the end A or B of a line.
+    EndSpeed(usize, usize),
     /// Force of the bed on what bears at a joint.
     BedForce(usize),
     /// Greatest speed at which what bears on the bed has landed, by its number among that.
@@ -74,7 +78,8 @@ pub struct Channels {
 }
 
 impl Channels {
-    /// Tensions at both ends of every line, places of the points that move and speeds of those that are free, poses of the bodies that move,
+    /// Tensions at both ends of every line, places of the points that move and speeds of those that are free, places and speeds of the ends that
+    /// are let go, poses of the bodies that move,
     /// force of the bed on what bears on it and the speed at which that landed, length on the bed of the lines that may reach it, height of the
     /// waves, energy where the file asks for it, curvature and bending moment at clamped ends, dynamic stiffness of ropes and tension of the wall of pipes at both ends of their
     /// sections.
@@ -94,6 +99,7 @@ impl Channels {
             channels.between(system, number);
         }
         channels.points(system);
+        channels.released_ends(system);
         channels.bodies(system);
         if system.network.records_uplift {
             channels.uplift(system);
@@ -161,6 +167,26 @@ impl Channels {
             if moves && matches!(point.held, Held::Free(_)) {
                 let id = ChannelQuantity::Speed.at(point.name.as_str());
                 self.add(id, Source::Speed(joint));
+            }
+        }
+    }
+
+    /// Places and speeds of the ends of lines that are let go, by the names of the ends: of what they are at, and then of themselves.
+    fn released_ends(&mut self, system: &MovingSystem) {
+        for (line, given) in system.network.lines.iter().enumerate() {
+            for (end, word) in ["a", "b"].into_iter().enumerate() {
+                let name = broken_names::name_of_end(system, line, end);
+                let Some(name) = name.filter(|_| given.releases[end].is_given()) else {
+                    continue;
+                };
+                let name = format!("{name}|{word}");
+                for (axis, quantity) in ChannelQuantity::POSITION.into_iter().enumerate() {
+                    self.add(
+                        quantity.at(name.as_str()),
+                        Source::EndPlace((line, end), axis),
+                    );
+                }
+                self.add(ChannelQuantity::Speed.at(name), Source::EndSpeed(line, end));
             }
         }
     }
@@ -423,14 +449,16 @@ fn of_what_moves(network: &Network) -> Vec<ChannelQuantity> {
     let mut points = network.points.iter();
     let points_move =
         points.any(|point| point.motion.is_some() || matches!(point.held, Held::Free(_)));
-    if bodies_move || points_move {
+    let mut lines = network.lines.iter();
+    let is_let_go = lines.any(|line| line.releases.iter().any(ReleaseCondition::is_given));
+    if bodies_move || points_move || is_let_go {
         all.extend(ChannelQuantity::POSITION);
     }
     if bodies_move {
         all.extend(ChannelQuantity::ANGLES);
     }
     let free = network.free_points().count() > 0;
-    all.extend(free.then_some(ChannelQuantity::Speed));
+    all.extend((free || is_let_go).then_some(ChannelQuantity::Speed));
     let feet = network
         .bodies
         .iter()
