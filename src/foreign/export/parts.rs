@@ -164,7 +164,7 @@ impl Writer<'_> {
                 let pose = &self.solved.rest.placement.bodies[number];
                 (pose.origin.map(rounded).into(), pose)
             }
-            false => (inputs.position_m, given),
+            false => (inputs.position_m.unwrap_or(given.origin.into()), given),
         };
         let angles = pose
             .angles_roll_first()
@@ -435,10 +435,10 @@ impl Writer<'_> {
                 let density = self.solved.file.environment.water_density_kg_per_m3;
                 if let Some(inputs) = inputs {
                     row.mass = inputs.mass_kg;
-                    row.volume = inputs.volume_m3;
+                    row.volume = inputs.displaced_m3(density);
                     row.drag_area = inputs.drag_area_m2.alike().unwrap_or_default();
-                    row.load = inputs.load_n;
-                    let displaced = density * inputs.volume_m3;
+                    row.load = inputs.load_with_lift(density, self.solved.network.gravity);
+                    let displaced = density * row.volume;
                     row.added_mass = match displaced > 0.0 {
                         true => inputs.added_mass_kg.alike().unwrap_or_default() / displaced,
                         false => 0.0,

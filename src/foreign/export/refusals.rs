@@ -335,7 +335,7 @@ fn free_point(name: &str, point: &PointInputs, target: Target, found: &mut Found
         return;
     }
     found.add(
-        point.volume_m3 == 0.0 && !point.added_mass_kg.is_zero(),
+        point.volume_m3 == 0.0 && point.wet_mass_kg.is_none() && !point.added_mass_kg.is_zero(),
         key("added_mass_kg"),
         "added mass of a point without volume",
     );

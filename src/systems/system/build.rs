@@ -321,6 +321,9 @@ impl Builder<'_> {
 
     fn held(&self, given: &PointInputs, place: Option<V3>, placed: bool) -> Held {
         let added = per_axis(&given.added_mass_kg);
+        let Network {
+            density, gravity, ..
+        } = self.network;
         match given.kind {
             PointKind::Fixed | PointKind::Moved => Held::At(place.unwrap_or_default()),
             PointKind::Body => {
@@ -331,12 +334,12 @@ impl Builder<'_> {
                 Held::On(body.unwrap_or_default(), place.unwrap_or_default())
             }
             PointKind::Free => Held::Free(FreePoint {
-                weight: given.mass_kg * self.network.gravity,
-                buoyancy: self.network.density * given.volume_m3 * self.network.gravity,
+                weight: given.mass_kg * gravity,
+                buoyancy: density * given.displaced_m3(density) * gravity,
                 moving_mass: added.add_scalar(given.mass_kg),
                 added_mass: added,
                 drag_area: per_axis(&given.drag_area_m2),
-                load: V3::from(given.load_n),
+                load: given.load_with_lift(density, gravity).into(),
                 friction: given.bed_friction,
                 slip_speed: self.file.seabed.as_ref().and_then(Seabed::slip_speed),
                 below: given.bottom_m,
@@ -521,7 +524,8 @@ pub fn copy_name(name: &str, angle: f64) -> String {
 fn body(name: &str, given: &BodyInputs, network: &Network) -> Body {
     let [roll, pitch, yaw] = [given.roll_deg, given.pitch_deg, given.yaw_deg].map(f64::to_radians);
     let mass = given.mass_kg.unwrap_or(0.0);
-    let pose = Pose::new(V3::from(given.position_m), roll, pitch, yaw);
+    let origin = V3::from(given.position_m.unwrap_or_default());
+    let pose = Pose::new(origin, roll, pitch, yaw);
     Body {
         name: name.to_owned(),
         motion: is_moved(given).then(|| body_motion(given)),

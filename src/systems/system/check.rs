@@ -27,6 +27,7 @@ pub(super) fn check(keys: &SystemKeys<'_>) -> Vec<Finding> {
     let by_name = ByName::of_keys(keys);
     for (name, point) in &keys.points {
         found.extend(place_of(point));
+        found.extend(wet_mass(keys, point));
         found.extend(bearing(keys, point));
         found.extend(body_of(keys, point, &by_name));
         found.extend(outside_water(keys, name, point, &by_name));
@@ -403,6 +404,7 @@ fn place_of(point: &PointKeys<'_>) -> Vec<Finding> {
         let remedy = "leave it out, or make the point free";
         found.extend(point.mass_kg.if_given(problem, remedy));
         found.extend(point.volume_m3.if_given(problem, remedy));
+        found.extend(point.wet_mass_kg.if_given(problem, remedy));
         found.extend(point.load_n.if_given(problem, remedy));
         found.extend(point.added_mass_kg.if_given(problem, remedy));
         found.extend(point.drag_area_m2.if_given(problem, remedy));
@@ -418,6 +420,24 @@ fn place_of(point: &PointKeys<'_>) -> Vec<Finding> {
         found.extend(point.start_velocity_m_per_s.if_given(problem, remedy));
     }
     found
+}
+
+/// A wet mass beside a volume, or in water above the mass.
+fn wet_mass(keys: &SystemKeys<'_>, point: &PointKeys<'_>) -> Option<Finding> {
+    let wet = &point.wet_mass_kg;
+    if point.volume_m3.is_given() {
+        let problem = "says what the water bears, and so does `volume_m3`";
+        return wet.if_given(problem, "keep one of them");
+    }
+    let density = keys
+        .environment
+        .as_ref()
+        .and_then(|around| around.water_density_kg_per_m3.value());
+    let is_heavier = wet.value()? > point.mass_kg.value().unwrap_or(0.0);
+    (is_heavier && density != Some(0.0)).then(|| {
+        let problem = "is more than the mass, and a point displaces no less than nothing";
+        wet.finding(problem, "give `mass_kg` or less")
+    })
 }
 
 /// The body of an analysis: known, or the only one.

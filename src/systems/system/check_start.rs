@@ -2,7 +2,7 @@
 
 use super::model::{BodyKeys, BodyKind, LineKeys, PointKind, RodKeys, StartPlacement, SystemKeys};
 use crate::case::schema::Key;
-use crate::case::{Finding, nearest, of_line_start};
+use crate::case::{Finding, StartShape, nearest, of_line_start};
 
 /// Keys of the start of a part.
 pub(super) type StartKeys<'k, 'n> = [&'k Key<'n, [f64; 3]>; 4];
@@ -79,7 +79,8 @@ pub(super) fn of_line(keys: &SystemKeys<'_>, line: &LineKeys<'_>) -> Vec<Finding
     let Some(start) = &line.start else {
         return Vec::new();
     };
-    let mut found = of_line_start(start, length(line));
+    let leads = start.shape.is(&StartShape::Straight) && waits(keys, line);
+    let mut found = of_line_start(start, length(line), leads);
     let names = |key: &Key<'_, String>| line.name.get().is_some_and(|name| key.is(name));
     let of_break = line.break_at_m.is_given().then_some("may break");
     let mut payouts = keys.payouts.iter();
@@ -91,6 +92,26 @@ pub(super) fn of_line(keys: &SystemKeys<'_>, line: &LineKeys<'_>) -> Vec<Finding
         found.push(start.place.finding(problem, "leave its start out"));
     }
     found
+}
+
+/// Whether an end of a line is free, or on a free body, without a position.
+fn waits(keys: &SystemKeys<'_>, line: &LineKeys<'_>) -> bool {
+    let waits = |end: &Key<'_, String>| {
+        let mut points = keys.points.iter();
+        let point = points.find(|(name, _)| end.is(name));
+        point.is_some_and(|(_, point)| match point.kind.value() {
+            Some(PointKind::Free) => !point.position_m.is_given(),
+            Some(PointKind::Body) => {
+                let mut bodies = keys.bodies.iter();
+                let body = bodies.find(|(name, _)| point.body.is(name));
+                body.is_some_and(|(_, body)| {
+                    body.kind.is(&BodyKind::Free) && !body.position_m.is_given()
+                })
+            }
+            _ => false,
+        })
+    };
+    waits(&line.from) || waits(&line.to)
 }
 
 /// Unstretched length of a line \[m\], where that of every section is known.

@@ -130,7 +130,7 @@ fn waves(network: &Network) -> impl Iterator<Item = String> {
             "The waves do not act on",
             "point",
             points.map(|(name, _)| name),
-            "give volume_m3, added_mass_kg or drag_area_m2",
+            "give volume_m3, wet_mass_kg, added_mass_kg or drag_area_m2",
         ),
         remark(
             "The waves do not act on the clumps of",

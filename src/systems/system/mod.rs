@@ -61,6 +61,7 @@ pub mod solved;
 pub mod stability;
 pub mod start;
 pub mod stiffness;
+mod straight_ends;
 pub mod uniform_parts;
 mod unstable;
 pub mod validated;

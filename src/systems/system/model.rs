@@ -171,13 +171,15 @@ table! {
         /// What holds it.
         kind: PointKind, "kind";
         /// Fixed: the place, z up from still water. On a body: the place in its frame. Free: where the search begins.
-        position_m: Option<[f64; 3]>, "position", range of(-1e6, 1e6), absent "among its neighbours";
+        position_m: Option<[f64; 3]>, "position", range of(-1e6, 1e6), absent "among its neighbours, or at the end of a line that begins straight";
         /// The body that the point is on.
         body: Option<String>, "body", kind Name, absent "needed for kind body", matters ON_BODY;
         /// Mass in air.
         mass_kg: f64 = 0.0, "mass", range of(0.0, 1e10), matters FREE;
         /// Displaced volume.
         volume_m3: f64 = 0.0, "volume", range of(0.0, 1e7), matters FREE;
+        /// Mass that weighs as much as it does in the water, in the place of its volume; in air what it weighs by gravity.
+        wet_mass_kg: Option<f64>, "wet mass", range of(-1e10, 1e10), absent "by its volume", matters FREE;
         /// Added mass: one number, or along x, y, z; for natural periods and in motion.
         added_mass_kg: OneOrMany = 0.0, "added mass", kind NumberOrTriple, range of(0.0, 1e10), matters FREE;
         /// Drag coefficient times area: one number, or along x, y, z.
@@ -232,6 +234,25 @@ table! {
 }
 
 impl PointInputs {
+    /// The volume that it displaces in water of a density \[kg/m³\], by its wet mass where that is given \[m³\]; in air by that none.
+    #[must_use]
+    pub fn displaced_m3(&self, density: f64) -> f64 {
+        match self.wet_mass_kg {
+            None => self.volume_m3,
+            Some(wet) if density > 0.0 => (self.mass_kg - wet) / density,
+            Some(_) => 0.0,
+        }
+    }
+
+    /// The steady load on it \[N\], and in air what by its wet mass lifts it against this gravity \[m/s²\].
+    #[must_use]
+    pub fn load_with_lift(&self, density: f64, gravity: f64) -> [f64; 3] {
+        let [x, y, z] = self.load_n;
+        let in_air = self.wet_mass_kg.filter(|_| density <= 0.0);
+        let lift = in_air.map_or(0.0, |wet| (self.mass_kg - wet) * gravity);
+        [x, y, z + lift]
+    }
+
     /// A point of a kind that states nothing else.
     #[must_use]
     pub fn of(kind: PointKind) -> Self {
@@ -241,6 +262,7 @@ impl PointInputs {
             body: None,
             mass_kg: 0.0,
             volume_m3: 0.0,
+            wet_mass_kg: None,
             added_mass_kg: OneOrMany::One(0.0),
             drag_area_m2: OneOrMany::One(0.0),
             load_n: [0.0; 3],
@@ -299,7 +321,7 @@ table! {
         /// The body that its origin is pinned to; its position and angles are then those in the frame of that body.
         pinned_to: Option<String>, "pinned to", kind Name, absent "the earth", matters PINNED;
         /// Place of its origin; of a free body the place that its hydrostatics refer to, where the search begins.
-        position_m: [f64; 3] = [0.0, 0.0, 0.0], "position", range of(-1e6, 1e6);
+        position_m: Option<[f64; 3]>, "position", range of(-1e6, 1e6), absent "0, or of a free body at the end of a line that begins straight";
         /// Turn about x, after the two others.
         roll_deg: f64 = 0.0, "roll", range of(-180.0, 180.0);
         /// Turn about y, after that about z.

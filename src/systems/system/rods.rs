@@ -1,5 +1,6 @@
 //! Rigid rods as the bodies that they are: slender, with a point at each end.
 
+use super::straight_ends;
 use super::model::{
     BodyInputs, BodyKind, MemberInputs, PointInputs, PointKind, RodInputs, SystemFile,
 };
@@ -11,10 +12,11 @@ pub fn ends(rod: &str) -> [String; 2] {
     [format!("{rod}-a"), format!("{rod}-b")]
 }
 
-/// The file with each rod written out as a body and the points at its ends.
+/// The file with each rod written out as a body and the points at its ends, and the ends of lines that begin straight where they are.
 #[must_use]
 pub fn written_out(file: &SystemFile) -> SystemFile {
     let mut whole = file.clone();
+    straight_ends::put(&mut whole);
     for (name, rod) in &file.rods {
         whole.bodies.insert(name.clone(), body(rod));
         for (end, x) in ends(name).into_iter().zip(reach(rod)) {
@@ -57,7 +59,7 @@ fn body(rod: &RodInputs) -> BodyInputs {
     BodyInputs {
         kind: rod.kind,
         pinned_to: rod.pinned_to.clone(),
-        position_m: a.lerp(&b, -from / long).into(),
+        position_m: Some(a.lerp(&b, -from / long).into()),
         pitch_deg: -axis.z.clamp(-1.0, 1.0).asin().to_degrees(),
         yaw_deg: axis.y.atan2(axis.x).to_degrees(),
         mass_kg: Some(rod.mass_kg),

@@ -22,15 +22,17 @@ pub(super) fn check(case: &CaseKeys<'_>) -> Vec<Finding> {
     of_shape(start, whole)
 }
 
-/// Checks of the start of a line between two points of a system, of this length \[m\] where that is known.
+/// Checks of the start of a line between two points of a system, of this length \[m\] where that is known; straight it may lead to one that
+/// has no place by itself.
 #[must_use]
-pub fn of_line_start(start: &StartKeys<'_>, whole: Option<f64>) -> Vec<Finding> {
+pub fn of_line_start(start: &StartKeys<'_>, whole: Option<f64>, leads: bool) -> Vec<Finding> {
     let by_ends = "has no effect: the line goes from one of its points to the other";
     let by_itself = "is of a line by itself";
-    let (place, shape) = ("leave it out, and place its points", "give its shape");
+    let place = "leave it out, or with a straight shape the position of its free end";
+    let shape = "give its shape";
     let mut found: Vec<Finding> = [
-        start.azimuth_deg.if_given(by_ends, place),
-        start.elevation_deg.if_given(by_ends, place),
+        start.azimuth_deg.if_given(by_ends, place).filter(|_| !leads),
+        start.elevation_deg.if_given(by_ends, place).filter(|_| !leads),
         start.from_run.if_given(by_itself, shape),
     ]
     .into_iter()

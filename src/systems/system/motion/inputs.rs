@@ -98,13 +98,13 @@ pub fn body_motion(given: &BodyInputs) -> PoseMotion {
         &given.table_pitch_deg,
         &given.table_yaw_deg,
     ];
-    let moved = by_table(places, 1.0, V3::from(given.position_m));
+    let moved = by_table(places, 1.0, V3::from(given.position_m.unwrap_or_default()));
     let turned = by_table(turns, 1_f64.to_radians(), V3::from(angles));
     if let Some((place, angles)) = moved.zip(turned) {
         return PoseMotion { place, angles };
     }
     PoseMotion {
-        place: three(0, V3::from(given.position_m), given.amplitude_m),
+        place: three(0, V3::from(given.position_m.unwrap_or_default()), given.amplitude_m),
         angles: three(
             3,
             V3::from(angles),

@@ -67,7 +67,7 @@ fn motion(
     name: &str,
 ) -> Result<BodyWaveResponse, Diagnostic> {
     let [roll, pitch, yaw] = [body.roll_deg, body.pitch_deg, body.yaw_deg].map(f64::to_radians);
-    let place = V3::from(body.position_m);
+    let place = V3::from(body.position_m.unwrap_or_default());
     // From where the responses are to its origin.
     let arm = -V3::from(body.response_at_m);
     let (sin, cos) = yaw.sin_cos();
