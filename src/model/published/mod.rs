@@ -2,7 +2,6 @@
 
 pub mod comparison;
 mod computed;
-pub mod curve;
 pub mod number;
 mod row;
 pub mod trend;

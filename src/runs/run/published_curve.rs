@@ -1,10 +1,12 @@
 //! Comparison of a run with the published curves of its file, at the points of the curves: what is published is known there and nowhere
-//! else, and a run is recorded more closely than a curve is printed.
+//! else, and a run is recorded more closely than a curve is printed. A curve that repeats is compared at every output time of the window: fitted
+//! at its points alone, the difference scatters with the mesh (of the chain of Lindahl 2.49 to 2.70 % in no order over five meshes, where
+//! all output times give 2.67 to 2.51 % in order).
 
 use super::{Channel, History, Quantity, QuantityId};
 use crate::case::schema::TableType;
 use crate::case::{CurveMeasure, PublishedCurve, Study, stands_at};
-use crate::numerics::interpolation::interval;
+use crate::numerics::interpolation::linear;
 
 /// Number of shifts of a periodic curve that are tried over a period.
 const SHIFTS: usize = 400;
@@ -64,13 +66,14 @@ pub fn compare(curve: &PublishedCurve, history: &History) -> Result<CurveCompari
         return Err("The published curve is zero everywhere.".to_owned());
     }
     let shifts = curve.period_s.map_or(1, |_| SHIFTS);
+    let samples = samples(curve, history, channel);
     let tried = (0..shifts).filter_map(|i| {
         let shift = curve.period_s.unwrap_or(0.0) * i as f64 / shifts as f64;
         let published = reached(curve, shift, history);
-        let off: Vec<f64> = published
-            .iter()
-            .map(|(time, value)| value_at(history, channel, *time) - value)
-            .collect();
+        let off = match curve.period_s {
+            Some(period) => off_turns(curve, period, shift, &samples),
+            None => off_points(&published, history, channel),
+        };
         let squares: f64 = off.iter().map(|d| d * d).sum();
         let mean = f64::sqrt(squares / off.len() as f64);
         (!off.is_empty()).then_some((mean, off, published))
@@ -83,7 +86,7 @@ pub fn compare(curve: &PublishedCurve, history: &History) -> Result<CurveCompari
         percent: 100.0 * mean / greatest,
         greatest_percent: (range > 0.0).then(|| 100.0 * most(off.iter().copied()) / range),
         published,
-        samples: samples(curve, history, channel),
+        samples,
     })
 }
 
@@ -127,6 +130,29 @@ fn reached(curve: &PublishedCurve, shift: f64, history: &History) -> Vec<(f64, f
     reached
 }
 
+/// How far a channel is from the points of a curve.
+fn off_points(points: &[(f64, f64)], history: &History, channel: &Channel) -> Vec<f64> {
+    let points = points.iter();
+    points
+        .map(|(time, value)| value_at(history, channel, *time) - value)
+        .collect()
+}
+
+/// How far samples are from a curve that repeats, its times less a shift \[s\]: straight between its points, also from the last to the first.
+fn off_turns(curve: &PublishedCurve, period: f64, shift: f64, samples: &[(f64, f64)]) -> Vec<f64> {
+    let mut turn: Vec<(f64, f64)> = points(curve).collect();
+    let Some(first) = turn.first().copied() else {
+        return Vec::new();
+    };
+    turn.push((first.0 + period, first.1));
+    let (times, values): (Vec<f64>, Vec<f64>) = turn.into_iter().unzip();
+    let off = |(time, value): &(f64, f64)| {
+        let time = first.0 + (time + shift - first.0).rem_euclid(period);
+        value - linear(&times, &values, time)
+    };
+    samples.iter().map(off).collect()
+}
+
 /// A channel within the window of a curve, by its output times.
 fn samples(curve: &PublishedCurve, history: &History, channel: &Channel) -> Vec<(f64, f64)> {
     let window = curve.window_s;
@@ -138,13 +164,11 @@ fn samples(curve: &PublishedCurve, history: &History, channel: &Channel) -> Vec<
 
 /// A channel at a time within its run, straight between its output times.
 fn value_at(history: &History, channel: &Channel, time: f64) -> f64 {
-    let (times, values) = (&history.time, &channel.values);
-    if times.len() < 2 {
-        return values.first().copied().unwrap_or(0.0);
+    match &*channel.values {
+        [] => 0.0,
+        [only] => *only,
+        values => linear(&history.time, values, time),
     }
-    let i = interval(times, time);
-    let share = (time - times[i]) / (times[i + 1] - times[i]);
-    values[i] + share * (values[i + 1] - values[i])
 }
 
 /// The greatest size.

@@ -14,12 +14,10 @@ use super::motion::{check as motion, check_payout};
 use super::{quantities, results_in_time, rods};
 use crate::case::schema::{Key, TableNode};
 use crate::case::{
-    ChannelId, Finding, nearest, of_checks, of_current, of_load_cases, of_material, of_studies,
-    of_trials, unknown, used_twice,
+    ChannelId, Finding, nearest, of_checks, of_current, of_load_cases, of_material,
+    of_published_curves, of_studies, of_trials, unknown, used_twice,
 };
-use crate::published::{
-    curve as published_curve, number as published_number, trend as published_trend,
-};
+use crate::published::{number as published_number, trend as published_trend};
 
 /// Checks of a system.
 pub(super) fn check(keys: &SystemKeys<'_>) -> Vec<Finding> {
@@ -72,7 +70,7 @@ pub(super) fn check(keys: &SystemKeys<'_>) -> Vec<Finding> {
     ));
     found.extend(published_trend::check(&keys.trend, unknown, &keys.study));
     let unknown = |key: &Key<'_, ChannelId>| results_in_time::unknown_channel(key, keys);
-    found.extend(published_curve::check(
+    found.extend(of_published_curves(
         &keys.published_curve,
         unknown,
         &keys.study,

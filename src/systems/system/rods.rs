@@ -1,9 +1,9 @@
 //! Rigid rods as the bodies that they are: slender, with a point at each end.
 
-use super::straight_ends;
 use super::model::{
     BodyInputs, BodyKind, MemberInputs, PointInputs, PointKind, RodInputs, SystemFile,
 };
+use super::straight_ends;
 use crate::numerics::V3;
 
 /// Names of the points at the ends of a rod.

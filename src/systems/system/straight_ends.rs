@@ -14,7 +14,9 @@ pub(super) fn put(file: &mut SystemFile) {
         let point = &file.points[&end];
         let on_body = point.body.clone().filter(|_| point.kind == PointKind::Body);
         match on_body {
-            None => set(&mut file.points, &end, |of| of.position_m = Some(place.into())),
+            None => set(&mut file.points, &end, |of| {
+                of.position_m = Some(place.into())
+            }),
             Some(name) => {
                 let at = V3::from(point.position_m.unwrap_or_default());
                 set(&mut file.bodies, &name, |body| {

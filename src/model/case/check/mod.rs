@@ -9,6 +9,7 @@ mod line;
 mod load_cases;
 mod loads;
 mod payload;
+mod published_curve;
 mod recorded;
 mod rope;
 mod sea;
@@ -30,6 +31,7 @@ pub(crate) use load_cases::{variable, varied};
 pub use loads::{
     BedShapeKeys, FrictionKeys, current as of_current, increasing, too_many_rows, too_many_steps,
 };
+pub use published_curve::of_published_curves;
 pub use rope::of_material;
 pub use sea::of_waves;
 pub(crate) use seacable_keys::check::{

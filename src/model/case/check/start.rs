@@ -31,8 +31,14 @@ pub fn of_line_start(start: &StartKeys<'_>, whole: Option<f64>, leads: bool) -> 
     let place = "leave it out, or with a straight shape the position of its free end";
     let shape = "give its shape";
     let mut found: Vec<Finding> = [
-        start.azimuth_deg.if_given(by_ends, place).filter(|_| !leads),
-        start.elevation_deg.if_given(by_ends, place).filter(|_| !leads),
+        start
+            .azimuth_deg
+            .if_given(by_ends, place)
+            .filter(|_| !leads),
+        start
+            .elevation_deg
+            .if_given(by_ends, place)
+            .filter(|_| !leads),
         start.from_run.if_given(by_itself, shape),
     ]
     .into_iter()

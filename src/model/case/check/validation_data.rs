@@ -2,6 +2,7 @@
 
 use super::checks::of_checks;
 use super::load_cases::of_load_cases;
+use super::published_curve::of_published_curves;
 use super::recorded;
 use super::studies::{of_studies, of_study, of_study_point, two_others};
 use super::taken::{number as number_of, stretch, suits, window};
@@ -10,7 +11,6 @@ use crate::case::diagnostic::Finding;
 use crate::case::model::{CASE, CaseKeys, PublishedKeys, TrendKeys};
 use crate::case::schema::{Key, KeyValue};
 use crate::case::{ChannelId, ChannelQuantity, LineQuantity};
-use crate::published::curve;
 
 /// Checks of studies, published values and trends.
 pub(super) fn check(case: &CaseKeys<'_>) -> Vec<Finding> {
@@ -27,7 +27,11 @@ pub(super) fn check(case: &CaseKeys<'_>) -> Vec<Finding> {
     let channels =
         recorded.map(|names| names.iter().filter(is_channel).cloned().collect::<Vec<_>>());
     let unknown = |key: &Key<'_, ChannelId>| channel(case, key, channels.as_deref());
-    found.extend(curve::check(&case.published_curve, unknown, &case.study));
+    found.extend(of_published_curves(
+        &case.published_curve,
+        unknown,
+        &case.study,
+    ));
     found.extend(
         case.published
             .iter()

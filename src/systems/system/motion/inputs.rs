@@ -104,7 +104,11 @@ pub fn body_motion(given: &BodyInputs) -> PoseMotion {
         return PoseMotion { place, angles };
     }
     PoseMotion {
-        place: three(0, V3::from(given.position_m.unwrap_or_default()), given.amplitude_m),
+        place: three(
+            0,
+            V3::from(given.position_m.unwrap_or_default()),
+            given.amplitude_m,
+        ),
         angles: three(
             3,
             V3::from(angles),

@@ -1,12 +1,13 @@
 //! Checks of published curves over time.
 
+use super::{of_study_point, of_window};
 use crate::case::model::PublishedCurveKeys;
 use crate::case::schema::Key;
-use crate::case::{ChannelId, Finding, StudyKeys, of_study_point, of_window};
+use crate::case::{ChannelId, Finding, StudyKeys};
 
 /// Checks of published curves: channels that are known, as `unknown` says, windows that run forward, points that follow each other, and
 /// points of the studies of the file.
-pub fn check(
+pub fn of_published_curves(
     list: &[(String, PublishedCurveKeys<'_>)],
     unknown: impl Fn(&Key<'_, ChannelId>) -> Option<Finding>,
     studies: &[(String, StudyKeys<'_>)],
