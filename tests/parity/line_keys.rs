@@ -286,12 +286,12 @@ fn a_published_curve_has_the_channel_of_the_system() {
         assert_eq!(found.published_curve[0].channel.to_string(), other);
         assert_eq!(found.output.forces, Some(true));
     }
-    let left_out = file(&format!("{}window_s = [0.0, 1.0]\n", curve("z_m[weight]")));
-    assert!(left_out.published_curve.is_empty());
-    assert!(
-        left_out.about.notes.contains("1 of 1 published"),
-        "{}",
-        left_out.about.notes
+    let within = "window_s = [0.0, 1.0]\nperiod_s = 2.0\n";
+    let repeats = file(&format!("{}{within}", curve("z_m[weight]")));
+    let found = &repeats.published_curve[0];
+    assert_eq!(
+        (found.window_s, found.period_s),
+        (Some([0.0, 1.0]), Some(2.0))
     );
 }
 

@@ -94,14 +94,17 @@ impl<'a> ChannelValues<'a> {
                 let (sea, gauge) = (system.network.sea.as_ref(), &system.network.gauge);
                 sea.map_or(0.0, |sea| sea.elevation(self.time, gauge))
             }
-            Source::Length(number) => {
-                let segments = state.paid[number].line.segments.iter();
-                let meshed: f64 = segments.map(|segment| segment.axial.length).sum();
-                let left = [0, 1].map(|end| system.surplus((number, end), state)[0]);
-                meshed - left[0] - left[1]
-            }
+            Source::Length(number) => self.unstretched(number),
             Source::Angle(body, axis) => system.body(state, body).pose.angles()[axis].to_degrees(),
         }
+    }
+
+    /// Unstretched length of a line that is paid out \[m\].
+    fn unstretched(&self, number: usize) -> f64 {
+        let segments = self.state.paid[number].line.segments.iter();
+        let meshed: f64 = segments.map(|segment| segment.axial.length).sum();
+        let left = [0, 1].map(|end| self.system.surplus((number, end), self.state)[0]);
+        meshed - left[0] - left[1]
     }
 
     fn tension(&mut self, line: usize, node: usize) -> f64 {
