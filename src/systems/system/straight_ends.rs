@@ -15,7 +15,7 @@ pub(super) fn put(file: &mut SystemFile) {
         let on_body = point.body.clone().filter(|_| point.kind == PointKind::Body);
         match on_body {
             None => set(&mut file.points, &end, |of| {
-                of.position_m = Some(place.into())
+                of.position_m = Some(place.into());
             }),
             Some(name) => {
                 let at = V3::from(point.position_m.unwrap_or_default());
