@@ -133,8 +133,13 @@ fn on_vessel(system: &mut CaseText<'_>, source: &LineSource<'_>, letter: &str, e
     copy(system, source, letter, &["ramp_s"]);
 }
 
+/// Whether an end is on a vessel, which of a system in time is a body.
+pub(super) fn is_on_vessel(source: &LineSource<'_>, end: &End) -> bool {
+    source.is_in_time() && end.kind == EndKind::Moving && end.motion == MotionName::Vessel
+}
+
 /// The body that an end on a vessel is on.
-fn vessel_name(end: &End) -> String {
+pub(super) fn vessel_name(end: &End) -> String {
     format!("vessel-at-{}", end.name)
 }
 
@@ -151,7 +156,9 @@ fn table(system: &mut CaseText<'_>, source: &LineSource<'_>, letter: &str) {
 fn free(system: &mut CaseText<'_>, source: &LineSource<'_>, letter: &str, end: &End) {
     system.line("kind = \"free\"", source.span(&["ends", letter, "kind"]));
     let (place, why) = begins_at(source, letter);
-    system.assumed("position_m", &numbers(&place), why);
+    if !start::follows_from_length(source) {
+        system.assumed("position_m", &numbers(&place), why);
+    }
     if start::is_moving(source)
         && let Some(node) = source.node(&["start", "velocity_m_per_s"])
     {

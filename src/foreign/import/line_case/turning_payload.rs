@@ -194,7 +194,9 @@ fn pose(system: &mut CaseText<'_>, source: &LineSource<'_>, rotation: &Rotation,
     } else {
         "its search begins here"
     };
-    system.assumed("position_m", &numbers(&place), why);
+    if !start::follows_from_length(source) {
+        system.assumed("position_m", &numbers(&place), why);
+    }
     let span = source.span(&["payload", "rotation", "start_tilt_deg"]);
     if tilt != 0.0 {
         let (roll, pitch) = upright(tilt);
