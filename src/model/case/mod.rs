@@ -84,4 +84,4 @@ pub use check::{
 pub use fields::{is_name, join, nearest, split};
 
 pub use seacable_keys::check::{unknown, unknown_name, used_twice};
-pub use tree::TomlNode;
+pub use tree::{TomlEntry, TomlNode};

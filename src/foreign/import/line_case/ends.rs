@@ -111,24 +111,14 @@ fn on_vessel(system: &mut CaseText<'_>, source: &LineSource<'_>, letter: &str, e
     copy(system, source, letter, &["position_m"]);
     let at = |key| source.node(&["ends", letter, key]);
     if let Some(node) = at("heading_deg") {
-        system.given(
-            "yaw_deg",
-            &value_of(source, node),
-            &node.span,
-            "heading_deg",
-        );
+        system.given("yaw_deg", &value_of(source, node), &node.span, "");
     }
     if let Some(node) = at("motion_file") {
-        system.given(
-            "response_file",
-            &value_of(source, node),
-            &node.span,
-            "motion_file",
-        );
+        system.given("response_file", &value_of(source, node), &node.span, "");
     }
     if let Some(node) = at("hang_point_m") {
         let back = end.hang_point_m.map(|part| 0.0 - part);
-        system.given("response_at_m", &numbers(&back), &node.span, "hang_point_m");
+        system.given("response_at_m", &numbers(&back), &node.span, "");
     }
     copy(system, source, letter, &["ramp_s"]);
 }

@@ -69,12 +69,7 @@ pub(super) fn write_volume(system: &mut CaseText<'_>, source: &LineSource<'_>, p
     if payload.wet_mass_kg.is_none()
         && let Some(node) = source.node(&["payload", "volume_m3"])
     {
-        system.given(
-            "volume_m3",
-            &value_of(source, node),
-            &node.span,
-            "volume_m3",
-        );
+        system.given("volume_m3", &value_of(source, node), &node.span, "");
     }
     let density = source.case.environment.water_density_kg_per_m3;
     if let Some(wet) = payload.wet_mass_kg
@@ -121,7 +116,7 @@ pub(super) fn hydrodynamics(source: &LineSource<'_>, payload: &Payload) -> Hydro
 pub(super) fn write(system: &mut CaseText<'_>, source: &LineSource<'_>, payload: &Payload) {
     if let Some(node) = source.node(&["payload", "dry_mass_kg"]) {
         let mass = value_of(source, node);
-        system.given("mass_kg", &mass, &node.span, "dry_mass_kg");
+        system.given("mass_kg", &mass, &node.span, "");
     }
     match source.node(&["payload", "wet_mass_kg"]) {
         Some(node) => system.given("wet_mass_kg", &value_of(source, node), &node.span, ""),

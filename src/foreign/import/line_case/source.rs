@@ -37,6 +37,11 @@ impl<'t> LineSource<'t> {
         Self { text, case, root }
     }
 
+    /// Its tree.
+    pub(super) fn root(&self) -> &TomlNode {
+        &self.root
+    }
+
     /// The value at a key path.
     pub(super) fn node(&self, path: &[&str]) -> Option<&TomlNode> {
         self.root.find(path)
