@@ -33,10 +33,15 @@ error_estimate = false
 /// The bare rope with changes, written as lines of a case with dotted keys: `materials.rope.ea_n = 1e9`. What is
 /// said of `line` changes its one section. The case passes every check that a file passes.
 pub(crate) fn line(changes: &str) -> Case {
+    let text = text(changes);
+    case::parse(&text, "test.toml").unwrap_or_else(|found| panic!("{found:#?}\n{text}"))
+}
+
+/// The text of that case.
+pub(crate) fn text(changes: &str) -> String {
     let mut base: Table = BARE.parse().unwrap();
     merge(&mut base, changes.parse().unwrap());
-    let text = toml::to_string(&base).unwrap();
-    case::parse(&text, "test.toml").unwrap_or_else(|found| panic!("{found:#?}\n{text}"))
+    toml::to_string(&base).unwrap()
 }
 
 pub(crate) fn merge(base: &mut Table, changes: Table) {

@@ -2,6 +2,8 @@
 
 #![expect(clippy::unwrap_used, reason = "a test may panic")]
 
+#[path = "../common/drawn_lines.rs"]
+mod drawn_lines;
 #[path = "../common/elastic_catenary.rs"]
 mod elastic_catenary;
 #[path = "../common/lines.rs"]

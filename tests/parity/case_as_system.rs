@@ -74,11 +74,11 @@ fn shortened(name: &str, text: &str) -> String {
 
 /// How far a line and its system are from each other.
 #[derive(Debug, Clone, Copy, Default)]
-struct Apart {
+pub(crate) struct Apart {
     /// Of tensions, by the greatest.
-    tension: f64,
+    pub(crate) tension: f64,
     /// Of places \[m\].
-    place_m: f64,
+    pub(crate) place_m: f64,
 }
 
 /// Differences that count as none, where both are divided alike \[-\], \[m\].
@@ -101,10 +101,10 @@ const OF_TOLERANCE: Apart = Apart {
 const TURNING: [&str; 1] = ["pendulous/module_rotating.toml"];
 
 /// Steps in which that rod comes to its stretch.
-const ROD_RINGS: usize = 20;
+pub(crate) const ROD_RINGS: usize = 20;
 
 /// The same for these.
-const OF_ROD: Apart = Apart {
+pub(crate) const OF_ROD: Apart = Apart {
     tension: 2e-5,
     place_m: 2e-5,
 };
@@ -206,19 +206,30 @@ fn apart(name: &str, text: &str) -> Apart {
     let case = case::parse(&text, &path_of(name)).unwrap();
     let system = Values::of(&converted(name, &text).unwrap());
     let line = line_run(text).history;
+    // The rod of a payload begins unstretched: 41 N at first, 2.5 N in steps of a quarter, less than 1 N of 640 kN from 0.2 s on.
+    let first = if TURNING.contains(&name) {
+        ROD_RINGS
+    } else {
+        0
+    };
+    apart_of(&case, &line, first, |name| system.named(name))
+}
+
+/// How far the results of a line are from those of its system by their names, from a row on.
+pub(crate) fn apart_of(
+    case: &Case,
+    line: &History,
+    first: usize,
+    system: impl Fn(&str) -> Vec<f64>,
+) -> Apart {
     let (mut apart, mut greatest) = (Apart::default(), 0.0_f64);
-    for (own, other) in pairs(&case) {
-        let (own_values, others) = (of_line(&line, &own), system.named(&other));
-        assert_eq!(own_values.len(), others.len(), "{name}: {other}");
+    for (own, other) in pairs(case) {
+        let (own_values, others) = (of_line(line, &own), system(&other));
+        assert_eq!(own_values.len(), others.len(), "{other}");
         // Which segments of a straight line without load are slack at first is rounding, and with it who bears the half one at an end.
-        let first = usize::from(case.start.shape == StartShape::Straight && own_values.len() > 1);
-        // The rod of a payload begins unstretched: 41 N at first, 2.5 N in steps of a quarter, less than 1 N of 640 kN from 0.2 s on.
-        let first = if TURNING.contains(&name) {
-            ROD_RINGS
-        } else {
-            first
-        };
-        let pairs = own_values.iter().zip(&others).skip(first);
+        let is_straight = case.start.shape == StartShape::Straight && own_values.len() > 1;
+        let pairs = own_values.iter().zip(&others);
+        let pairs = pairs.skip(first.max(usize::from(is_straight)));
         let differences = pairs.map(|(a, b)| (a - b).abs());
         let difference = differences.fold(0.0, f64::max);
         if other.starts_with("tension") {

@@ -5,7 +5,14 @@
 
 #![expect(clippy::unwrap_used, reason = "a test may panic")]
 
+#[path = "../common/drawn_lines.rs"]
+mod drawn_lines;
+#[path = "../common/lines.rs"]
+#[expect(dead_code, reason = "other tests need the case")]
+mod lines;
+
 mod case_as_system;
+mod drawn;
 mod features;
 mod friction;
 mod line_keys;

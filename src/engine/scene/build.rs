@@ -1,7 +1,7 @@
 //! From a case to a scene in SI units.
 
 use std::collections::BTreeMap;
-use std::f64::consts::{FRAC_PI_4, PI};
+use std::f64::consts::PI;
 
 use super::elasticity::{Elasticity, elasticity};
 use super::elements::{Elements, RigidPayload, clamps_without_effect};
@@ -231,11 +231,9 @@ pub(super) fn bare_segment(
     elasticity: &Elasticity,
     length: f64,
 ) -> Segment {
-    let area = FRAC_PI_4 * material.diameter_m * material.diameter_m;
+    let area = material.area_m2();
     let displaced = water.water_density_kg_per_m3 * area;
-    let wet = material
-        .wet_weight_kg_per_m
-        .unwrap_or(material.mass_kg_per_m - displaced);
+    let wet = material.wet_kg_per_m(water.water_density_kg_per_m3);
     let critical = length * (elasticity.ea * material.mass_kg_per_m).sqrt();
     let damping = match (material.axial_damping_n_s, material.axial_damping_ratio) {
         (Some(c), _) => c,

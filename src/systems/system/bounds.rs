@@ -56,7 +56,7 @@ impl Bounds {
             if let (Held::Free(free), Some(first)) = (&point.held, first) {
                 // With an area it sinks into the bed.
                 bounds.below[first + 2] = Some(free.below).filter(|_| free.bearing.is_none());
-                let bounded = network.density > 0.0 && !network.crossed;
+                let bounded = network.density > 0.0 && !network.crossed && !free.always_wet;
                 // By its own buoyancy, or at an end of a line that floats, it comes to rest at the surface. Through any other the
                 // surface has nothing to do, as for any place within a line.
                 if bounded && (free.buoyancy > 0.0 || floating.contains(&number)) {

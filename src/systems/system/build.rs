@@ -26,7 +26,7 @@ use super::point_on_bed::BearingArea;
 use super::pose::{Pose, cross};
 use super::potential_flow::{PotentialFlow, RadiationTable, responses::excitation};
 use super::rods;
-use crate::case::{FrictionLaw, Material, Seabed, Start, current_grid, depth_grid};
+use crate::case::{FrictionLaw, Material, Seabed, Start, WaterSurface, current_grid, depth_grid};
 use crate::numerics::{M3, V3};
 use crate::physics::sea::Sea;
 use crate::physics::{CurrentGrid, Suction};
@@ -340,6 +340,7 @@ impl Builder<'_> {
             PointKind::Free => Held::Free(FreePoint {
                 weight: given.mass_kg * gravity,
                 buoyancy: density * given.displaced_m3(density) * gravity,
+                always_wet: given.water_surface == WaterSurface::Ignored,
                 moving_mass: added.add_scalar(given.mass_kg),
                 added_mass: added,
                 drag_area: per_axis(&given.drag_area_m2),

@@ -24,6 +24,12 @@ impl Immersion {
     /// Of a point at a height above the surface \[m\].
     #[must_use]
     pub fn of_point(network: &Network, point: &FreePoint, z: f64) -> Self {
+        if point.always_wet {
+            return Self {
+                integral: z,
+                ..Self::WHOLE
+            };
+        }
         let weight = network.density * network.gravity;
         let volume = if weight > 0.0 {
             point.buoyancy / weight

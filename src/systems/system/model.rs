@@ -17,7 +17,7 @@ use crate::case::schema::{table, words};
 use crate::case::{
     Attachment, CaseInfo, CheckInputs, Clump, Current, Environment, Floats, LoadCaseInputs, Mark,
     Material, Modules, MotionInterpolation, OneOrMany, Output, PublishedCurve, Seabed, Solver,
-    Start, StatisticsInputs, Study, Trial, Waves,
+    Start, StatisticsInputs, Study, Trial, WaterSurface, Waves,
 };
 use crate::reference::{PublishedNumber, PublishedTrend};
 
@@ -180,6 +180,8 @@ table! {
         volume_m3: f64 = 0.0, "volume", range of(0.0, 1e7), matters FREE;
         /// Mass that weighs as much as it does in the water, in the place of its volume; in air what it weighs by gravity.
         wet_mass_kg: Option<f64>, "wet mass", range of(-1e10, 1e10), absent "by its volume", matters FREE;
+        /// Whether it leaves the water and floats at its surface; else it counts as under water at any height, as lines do.
+        water_surface: WaterSurface = WaterSurface::Crossed, "water surface", matters FREE;
         /// Added mass: one number, or along x, y, z; for natural periods and in motion.
         added_mass_kg: OneOrMany = 0.0, "added mass", kind NumberOrTriple, range of(0.0, 1e10), matters FREE;
         /// Drag coefficient times area: one number, or along x, y, z.
@@ -263,6 +265,7 @@ impl PointInputs {
             mass_kg: 0.0,
             volume_m3: 0.0,
             wet_mass_kg: None,
+            water_surface: WaterSurface::Crossed,
             added_mass_kg: OneOrMany::One(0.0),
             drag_area_m2: OneOrMany::One(0.0),
             load_n: [0.0; 3],

@@ -90,6 +90,8 @@ pub struct FreePoint {
     pub weight: f64,
     /// Buoyancy under water \[N\].
     pub buoyancy: f64,
+    /// Whether it counts as under water at any height.
+    pub always_wet: bool,
     /// Mass with added mass, and the added mass alone, along x, y, z \[kg\].
     pub moving_mass: V3,
     /// See `moving_mass`.

@@ -1,16 +1,9 @@
 //! How what hangs at an end of the line bears on the bed.
 
 use super::copied::value_of;
+use super::places::turning;
 use super::source::LineSource;
-use super::turning_payload::turning;
-use crate::case::Payload;
 use crate::import::to_case::case_text::{CaseText, number};
-
-/// Whether the area on the bed of a payload follows from its volume.
-pub(super) fn bears_by_volume(source: &LineSource<'_>, payload: &Payload) -> bool {
-    let given = payload.bed_area_m2.is_some() || payload.shape.is_some();
-    source.case.seabed.is_some() && !given
-}
 
 /// Writes the area that bears \[m²\], how far it is below the point, its suction and its friction.
 pub(super) fn write(system: &mut CaseText<'_>, source: &LineSource<'_>, table: &[&str], area: f64) {

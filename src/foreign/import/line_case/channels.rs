@@ -1,9 +1,9 @@
 //! Channels of a case by the names that its system gives them.
 
 use super::lines::{line_at, line_of, lines};
+use super::places::{bottom_point, turning};
 use super::places::{end_of, on_free_end};
 use super::source::{BESIDE, LINE, LineSource};
-use super::turning_payload::{bottom_point, turning};
 use crate::case::{
     ChannelId, ChannelLocation, ChannelQuantity, EndKind, LineEnd, MotionName, OnSection, channels,
 };

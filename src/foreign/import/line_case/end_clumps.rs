@@ -1,6 +1,7 @@
 //! Clumps at the ends of the line: the body of the point at a free end; at a held end a weight that pulls on nothing but what holds it.
 
 use super::bearing;
+use super::bears::bears_by_mass;
 use super::copied::{coefficient, value_of};
 use super::places::at_end;
 use super::published::reads_forces;
@@ -82,11 +83,6 @@ fn of_body(source: &LineSource<'_>, clump: &Clump) -> Vec<Fault> {
         }));
     }
     found
-}
-
-/// Whether the area of a clump on the bed follows from what it displaces.
-pub(super) fn bears_by_mass(source: &LineSource<'_>, clump: &Clump) -> bool {
-    source.case.seabed.is_some() && clump.bed_area_m2.is_none()
 }
 
 /// Mass and weight in water of a body, as masses \[kg\], that a free point cannot state.

@@ -2,9 +2,8 @@
 
 use super::copied::{copy_keys, value_of};
 use super::paths;
-use super::places::{end_of, on_free_end};
-use super::source::{BESIDE, LINE, LineSource};
-use super::turning_payload::hang_point;
+use super::places::{end_of, hang_point, on_free_end};
+use super::source::{BESIDE, LETTERS, LINE, LineSource};
 use crate::case::{TomlEntry, TomlNode};
 use crate::import::to_case::case_text::{CaseText, text};
 
@@ -103,71 +102,61 @@ fn carried<'s>(
 
 /// Key paths of what the system may have of a key whose value it has not, the best first.
 fn counterparts(source: &LineSource<'_>, path: &[&str]) -> Vec<String> {
-    let case = &source.case;
-    let ends = [&case.ends.a, &case.ends.b];
-    let body = &case.ends.b.name;
+    let ends = [&source.case.ends.a, &source.case.ends.b];
     match path {
         ["start", key] => {
             let free = ends.into_iter().filter(|end| !end.kind.is_held());
             let places = free.map(|end| format!("points.{}.position_m", end.name));
-            [format!("lines.{LINE}.start.{key}")]
-                .into_iter()
-                .chain(places)
-                .collect()
+            let own = format!("lines.{LINE}.start.{key}");
+            [own].into_iter().chain(places).collect()
         }
         ["ends", letter, "kind"] => {
-            let end = if *letter == "a" { ends[0] } else { ends[1] };
+            let end = if *letter == LETTERS[0] {
+                ends[0]
+            } else {
+                ends[1]
+            };
             vec![format!("points.{}.kind", end.name)]
         }
-        ["payload", "rotation", "centre_of_gravity_m"] => {
-            vec![format!("points.{}.position_m", hang_point(source))]
-        }
-        ["payload", "rotation", key] => {
-            let own = match *key {
-                "spin_inertia_kg_m2" => "inertia_kg_m2",
-                "added_inertia_kg_m2" => "added_mass",
-                "start_tilt_deg" => "pitch_deg",
-                "start_azimuth_deg" => "yaw_deg",
-                "spin_deg_per_s" => "start_angular_velocity_deg_per_s",
-                key => key,
-            };
-            vec![
-                format!("bodies.{body}.{own}"),
-                format!("bodies.{body}.kind"),
-            ]
-        }
-        ["payload", key] => {
-            let own = if *key == "added_mass_kg" {
-                "added_mass"
-            } else {
-                key
-            };
-            vec![
-                format!("bodies.{body}.{own}"),
-                format!("bodies.{body}.volume_m3"),
-            ]
-        }
+        ["payload", key] => of_body(source, key),
+        ["payload", "rotation", key] => of_body(source, key),
         ["traveller", "speed_m_per_s"] => vec!["sliding_points.1.rate_m_per_s".to_owned()],
-        ["line", section, key] => BESIDE
-            .into_iter()
-            .flat_map(|line| {
-                [
-                    format!("lines.{line}.{key}"),
-                    format!("lines.{line}.sections.{section}.{key}"),
-                ]
-            })
-            .collect(),
-        ["clumps", name, "at_m"] => {
-            let clumps = case.clumps.iter().filter(|clump| clump.name == *name);
-            let mut letters = clumps.filter_map(|clump| end_of(case, clump));
-            let letter = letters
-                .next()
-                .filter(|letter| on_free_end(source, letter).is_some());
-            let end = letter.map(|letter| if letter == "a" { "from" } else { "to" });
-            end.map(|end| format!("lines.{LINE}.{end}"))
-                .into_iter()
-                .collect()
+        ["line", section, key] => {
+            let of_line = |line: &str| {
+                let own = format!("lines.{line}.{key}");
+                [own, format!("lines.{line}.sections.{section}.{key}")]
+            };
+            BESIDE.into_iter().flat_map(of_line).collect()
         }
+        ["clumps", name, "at_m"] => end_of_line(source, name).into_iter().collect(),
         _ => Vec::new(),
     }
+}
+
+/// The same of a payload that turns.
+fn of_body(source: &LineSource<'_>, key: &str) -> Vec<String> {
+    let body = &source.case.ends.b.name;
+    let own = match key {
+        "centre_of_gravity_m" => return vec![format!("points.{}.position_m", hang_point(source))],
+        "spin_inertia_kg_m2" => "inertia_kg_m2",
+        "added_mass_kg" | "added_inertia_kg_m2" => "added_mass",
+        "start_tilt_deg" => "pitch_deg",
+        "start_azimuth_deg" => "yaw_deg",
+        "spin_deg_per_s" => "start_angular_velocity_deg_per_s",
+        key => key,
+    };
+    vec![
+        format!("bodies.{body}.{own}"),
+        format!("bodies.{body}.kind"),
+    ]
+}
+
+/// The end of the line at which a clump is the body of a free end.
+fn end_of_line(source: &LineSource<'_>, name: &str) -> Option<String> {
+    let case = &source.case;
+    let clump = case.clumps.iter().find(|clump| clump.name == name)?;
+    let letter = end_of(case, clump)?;
+    on_free_end(source, letter)?;
+    let end = if letter == LETTERS[0] { "from" } else { "to" };
+    Some(format!("lines.{LINE}.{end}"))
 }

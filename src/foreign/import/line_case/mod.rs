@@ -5,6 +5,7 @@
 //! other views of the case is a remark in the notes.
 
 mod bearing;
+mod bears;
 mod channels;
 mod comments;
 mod copied;
@@ -22,6 +23,7 @@ mod results;
 mod run;
 mod source;
 mod start;
+mod surface;
 mod traveller;
 mod trials;
 mod turning_payload;

@@ -1,10 +1,8 @@
 //! Key paths of a case by the paths that its system has them at.
 
-use super::bearing::bears_by_volume;
-use super::end_clumps::bears_by_mass;
-use super::ends;
+use super::bears::{bears_by_mass, bears_by_volume};
 use super::lines::{line_at, line_of};
-use super::places::{end_of, on_free_end};
+use super::places::{end_of, is_on_vessel, moves_at_rest, on_free_end, vessel_name};
 use super::source::{LETTERS, LineSource};
 use crate::case::{Case, Clump, EndKind, LineEnd, MotionName, Payload, split};
 
@@ -127,10 +125,10 @@ fn of_end(source: &LineSource<'_>, letter: &str, key: &str, axis: &[&str]) -> Op
     ];
     // At rest a moving end is held where its motion begins.
     let is_put = end.kind == EndKind::Moving && !source.is_in_time();
-    let is_put = is_put && (key != "position_m" || ends::moves_at_rest(source, end));
+    let is_put = is_put && (key != "position_m" || moves_at_rest(source, end));
     if of_point.contains(&key) && end.kind.is_held() && !is_put {
-        let vessel = ends::vessel_name(end);
-        let part = match ends::is_on_vessel(source, end) {
+        let vessel = vessel_name(end);
+        let part = match is_on_vessel(source, end) {
             true => ["bodies", &*vessel, key],
             false => ["points", &*end.name, key],
         };

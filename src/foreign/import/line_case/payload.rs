@@ -1,6 +1,7 @@
 //! The payload as a free point, and what of it a system cannot state.
 
-use super::bearing::{self, bears_by_volume};
+use super::bearing;
+use super::bears::bears_by_volume;
 use super::copied::{coefficient, value_of};
 use super::end_clumps::of_weight;
 use super::source::{DENSITY, LineSource};

@@ -1,7 +1,7 @@
 //! What acts in a case and a system cannot state.
 
-use super::ends::moves_at_rest;
 use super::payload;
+use super::places::moves_at_rest;
 use super::source::{LETTERS, LineSource};
 use super::traveller;
 use crate::case::{End, EndKind, MotionName};

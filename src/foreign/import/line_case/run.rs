@@ -2,8 +2,9 @@
 
 use super::copied::{copy, copy_keys};
 use super::end_clumps;
-use super::ends;
+use super::places::is_on_vessel;
 use super::source::LineSource;
+use super::surface;
 use crate::import::to_case::case_text::{CaseText, numbers, text};
 
 /// Writes the environment; above water that it does not say to be crossed all counts as under it, as of a line.
@@ -11,7 +12,7 @@ pub(super) fn environment(system: &mut CaseText<'_>, source: &LineSource<'_>) {
     copy(system, source, "environment");
     let surface = ["environment", "water_surface"];
     let wet = source.case.environment.water_density_kg_per_m3 > 0.0;
-    if source.node(&surface).is_some() || !wet || !ends::rises_above_water(source) {
+    if source.node(&surface).is_some() || !wet || !surface::rises_above_water(source) {
         return;
     }
     if source.node(&["environment"]).is_none() {
@@ -40,7 +41,7 @@ fn gauge(system: &mut CaseText<'_>, source: &LineSource<'_>) {
     let over = [&both.b, &both.a].into_iter();
     let over = over.filter(|end| end.position_m.is_some()).find(|_| !given);
     let Some(end) = over else { return };
-    let is_point = end.kind.is_held() && !ends::is_on_vessel(source, end);
+    let is_point = end.kind.is_held() && !is_on_vessel(source, end);
     match is_point {
         true => system.assumed("gauge_over", &text(&end.name), "an end of the line"),
         false => {

@@ -9,6 +9,7 @@ use super::lines::parting;
 use super::places::end_of;
 use super::source::{BESIDE, LineSource};
 use super::start;
+use super::surface;
 use crate::case::{CreepModel, TomlNode, Traveller};
 use crate::import::fault::Fault;
 use crate::import::to_case::case_text::{CaseText, number, text};
@@ -115,6 +116,7 @@ pub(super) fn write_point(system: &mut CaseText<'_>, source: &LineSource<'_>) {
     write_weight(system, source, &TABLE);
     let area = key("drag_area_m2");
     coefficient(system, source, &area, &body.drag_area_m2);
+    surface::of_point(system, source);
 }
 
 /// Writes how it is hauled from one line to the other.

@@ -4,34 +4,14 @@
 use super::bearing;
 use super::copied::{bare, value_of};
 use super::payload::{Hydrodynamics, hydrodynamics, write_volume};
+use super::places::{bottom_point, hang_point};
 use super::source::{DENSITY, LineSource};
 use super::start;
-use crate::case::{EndKind, Payload, Rotation};
+use crate::case::{Payload, Rotation};
 use crate::import::fault::Fault;
 use crate::import::to_case::case_text::{CaseText, numbers, text};
 use crate::numerics::V3;
 use crate::scene::payload_bed_area;
-
-/// The payload that turns, with its rotation, where the case has one.
-pub(super) fn turning<'c>(source: &'c LineSource<'_>) -> Option<(&'c Payload, &'c Rotation)> {
-    let payload = source.case.payload.as_ref()?;
-    let hangs = source.case.ends.b.kind == EndKind::Payload;
-    payload
-        .rotation
-        .as_ref()
-        .filter(|_| hangs)
-        .map(|rotation| (payload, rotation))
-}
-
-/// The name of the point that it hangs from.
-pub(super) fn hang_point(source: &LineSource<'_>) -> String {
-    format!("{}-hang-point", source.case.ends.b.name)
-}
-
-/// The name of the point of it that bears on the bed.
-pub(super) fn bottom_point(source: &LineSource<'_>) -> String {
-    format!("{}-bottom", source.case.ends.b.name)
-}
 
 /// What of it a body cannot state.
 pub(super) fn faults(source: &LineSource<'_>, rotation: &Rotation) -> Vec<Fault> {

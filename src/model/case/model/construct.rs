@@ -68,6 +68,20 @@ impl From<TensionInterpolation> for TableInterpolation {
 }
 
 impl Material {
+    /// The cross-section of its diameter \[m²\].
+    #[must_use]
+    pub fn area_m2(&self) -> f64 {
+        std::f64::consts::FRAC_PI_4 * self.diameter_m * self.diameter_m
+    }
+
+    /// Mass that weighs as much as it does in water of a density \[kg/m³\], by length \[kg/m\].
+    #[must_use]
+    pub fn wet_kg_per_m(&self, density: f64) -> f64 {
+        let displaced = density * self.area_m2();
+        self.wet_weight_kg_per_m
+            .unwrap_or(self.mass_kg_per_m - displaced)
+    }
+
     /// Its tension-strain table; nothing where it has none, or one that does not rise from zero.
     #[must_use]
     pub fn tension_table(&self) -> Option<TensionTable> {

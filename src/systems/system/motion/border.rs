@@ -393,13 +393,10 @@ impl Border {
                     let (x, v, a) = node(&state.joints, joint);
                     let around = system.around(&state.joints, joint);
                     let load = point_load(&system.network, point, (x, v), around);
-                    let residual = a.component_mul(&point.moving_mass) - load.force;
+                    let (residual, tangent) = load.residual(a, c);
                     self.rows[row] += residual;
                     self.own[row] += residual;
-                    *self.matrix.block(row, row) +=
-                        M3::from_diagonal(&(point.moving_mass * c.mass))
-                            - load.by_velocity * c.damping
-                            - load.by_position * c.stiffness;
+                    *self.matrix.block(row, row) += tangent;
                 }
                 Role::Released(line, end) if state.attached[line][end] != joint => {
                     *self.matrix.block(row, row) += M3::identity();

@@ -13,7 +13,7 @@ use super::system_state::SystemState;
 use crate::numerics::V3;
 use crate::scene::EnergyRates;
 use crate::solve::Factors;
-use crate::system::network::{FreePoint, Held};
+use crate::system::network::Held;
 
 /// Adds what points, bodies and drives have to the energy and the powers of the lines, at time t \[s\]; `bodies` are those that turn,
 /// with their mass.
@@ -69,15 +69,8 @@ fn free_points(
         let (x, v) = (&state.joints.x[joint], &state.joints.v[joint]);
         let around = system.around(&state.joints, joint);
         let load = point_load(&system.network, point, (x, v), around);
-        Some((kinetic_energy(point, v), load))
+        Some((load.kinetic_energy(v), load))
     })
-}
-
-/// Kinetic energy of a point with its added mass \[J\]. What is beyond the mass along x is exactly 0 where all are the same.
-fn kinetic_energy(point: &FreePoint, v: &V3) -> f64 {
-    let mass = point.moving_mass;
-    let beyond = mass.add_scalar(-mass.x);
-    0.5 * mass.x * v.norm_squared() + 0.5 * v.dot(&beyond.component_mul(v))
 }
 
 /// The power of what moves the origin of a body that is pinned to it \[W\]; none between bodies that both turn.

@@ -54,7 +54,7 @@ impl MovingSystem {
         let joints = &state.joints;
         let at = (&joints.x[joint], &joints.v[joint]);
         let load = point_load(&self.network, point, at, self.around(joints, joint));
-        let mass = point.moving_mass.min();
+        let mass = load.mass.min();
         let rate = load.by_velocity.norm() / mass;
         (mass > 0.0).then_some(rate)
     }

@@ -6,7 +6,7 @@ use crate::physics::bed_reaction::BedReaction;
 use crate::physics::sea::WaterMotion;
 use crate::physics::seabed::{curved_contact, push_slopes};
 use crate::physics::{CurrentProfile, FrictionAnchor};
-use crate::solve::BodyOnBed;
+use crate::solve::{BodyOnBed, Factors};
 use crate::system::bed::Bed;
 use crate::system::immersion::Immersion;
 use crate::system::network::{FreePoint, Network};
@@ -24,6 +24,27 @@ pub(super) struct PointLoad {
     pub(super) lost: f64,
     /// Its potential energy \[J\], steady loads included.
     pub(super) energy: f64,
+    /// Its mass along x, y, z, with the added mass of what of it is under water \[kg\].
+    pub(super) mass: V3,
+    /// Derivative of that mass by position \[kg/m\].
+    pub(super) mass_by_position: M3,
+}
+
+impl PointLoad {
+    /// What its inertia at an acceleration \[m/s²\] is beyond the force \[N\], and its change with the acceleration, the velocity and the position by these factors.
+    pub(super) fn residual(&self, acceleration: &V3, c: Factors) -> (V3, M3) {
+        let by_position =
+            M3::from_diagonal(acceleration) * self.mass_by_position - self.by_position;
+        let tangent = M3::from_diagonal(&(self.mass * c.mass)) - self.by_velocity * c.damping
+            + by_position * c.stiffness;
+        (acceleration.component_mul(&self.mass) - self.force, tangent)
+    }
+
+    /// Its kinetic energy at a velocity \[J\]. What is beyond the mass along x is exactly 0 where all are the same.
+    pub(super) fn kinetic_energy(&self, v: &V3) -> f64 {
+        let beyond = self.mass.add_scalar(-self.mass.x);
+        0.5 * self.mass.x * v.norm_squared() + 0.5 * v.dot(&beyond.component_mul(v))
+    }
 }
 
 /// The surface over a point.
@@ -92,6 +113,12 @@ pub(super) fn point_load(
         share,
         by_place: (V3::z() - slope) * by_height,
     };
+    load.mass = point.moving_mass - point.added_mass * (1.0 - share);
+    load.mass_by_position = point.added_mass * immersion.by_place.transpose();
+    let rising = waves.map_or(0.0, |flow| by_height * flow.elevation_rate);
+    // Added mass that comes under water at a velocity takes up energy that no force gives.
+    let growth = immersion.by_place.dot(v) - rising;
+    load.lost -= 0.5 * growth * v.dot(&point.added_mass.component_mul(v));
     load.force = point.load + V3::z() * (point.buoyancy * share - point.weight);
     load.by_position += V3::z() * immersion.by_place.transpose() * point.buoyancy;
     load.energy = point.weight * x.z - point.buoyancy * integral - point.load.dot(x);
@@ -473,6 +500,9 @@ mod tests {
                     let at = |x: V3, v: V3| point_load(&network, &point, (&x, &v), around);
                     let (ahead, behind) = (at(x + step, v), at(x - step, v));
                     let by_x = (ahead.force - behind.force) / (2.0 * h);
+                    let by_place = (ahead.mass - behind.mass) / (2.0 * h);
+                    let slope = by_place - load.mass_by_position.column(k);
+                    assert!(slope.norm() < 1e-4 * (1.0 + by_place.norm()), "{z} {k}");
                     let by_v = (at(x, v + step).force - at(x, v - step).force) / (2.0 * h);
                     assert!(
                         (by_x - load.by_position.column(k)).norm() < 1e-4 * (1.0 + by_x.norm())

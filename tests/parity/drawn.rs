@@ -1,0 +1,163 @@
+//! Lines drawn at random from all that a case may say, computed as they are and as the systems that they are converted to.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use proptest::strategy::{Strategy, ValueTree};
+use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
+use seacable::case::{self, edit, kind};
+use seacable::import::line_case;
+use seacable::run::RunState;
+use seacable::system::SystemFile;
+
+use crate::case_as_system::{Apart, OF_ROD, ROD_RINGS, apart_of};
+use crate::drawn_lines::{any_line, any_scene};
+use crate::lines;
+use crate::one_line::{line_run, system_run};
+
+/// What became of a line and of its system.
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
+enum Fate {
+    /// Both are computed, and are the same.
+    Alike,
+    /// The conversion refuses it, at these keys.
+    Refused(String),
+    /// Neither comes to an end.
+    NeitherEnds,
+    /// The line comes to an end, its system does not.
+    SystemFails,
+    /// The system comes to an end, its line does not.
+    LineFails,
+    /// Both are computed, and are not the same: of what is known to differ.
+    KnownApart,
+    /// The same of another.
+    Apart,
+}
+
+/// Rows at the start of a line that falls, in which rounding decides which of its segments is taut.
+const FALLS: usize = 4;
+
+/// Differences that count as none: tensions by the greatest, places \[m\].
+const ALIKE: Apart = Apart {
+    tension: 1e-6,
+    place_m: 1e-7,
+};
+
+/// Whether a line and its system may rest, or move, in different ways: a bed whose friction or slope leaves open where a line rests, of which each search finds
+/// its own place; a payload that turns, on the line two masses on a rod that rings in a line as stiff as it is, in the system a rigid body.
+fn is_known_apart(text: &str) -> bool {
+    text.contains("[seabed]") || text.contains("[payload.rotation]")
+}
+
+fn timed(changes: &str) -> String {
+    let text = lines::text(changes);
+    let edits = [
+        ("solver.method", "alpha"),
+        ("solver.time_step_s", "0.01"),
+        ("solver.duration_s", "0.5"),
+        ("solver.position_tolerance_m", "1e-10"),
+        ("output.interval_s", "0.01"),
+    ];
+    edit::set_all(&text, &edits).unwrap()
+}
+
+fn at_rest(changes: &str) -> String {
+    edit::set_all(&lines::text(changes), &[("solver.method", "static")]).unwrap()
+}
+
+fn fate(text: &str) -> (Fate, String) {
+    let system = match line_case::read(text, Path::new("line.toml")) {
+        Ok(imported) => imported.text,
+        Err(found) => {
+            let keys: Vec<&str> = found.iter().map(|one| one.key.as_str()).collect();
+            return (Fate::Refused(keys.join(" ")), String::new());
+        }
+    };
+    if let Err(found) = kind::parse::<SystemFile>(&system, "system.toml") {
+        return (
+            Fate::Refused("as a system".to_owned()),
+            format!("{found:?}\n{system}"),
+        );
+    }
+    let (line, run) = (line_run(text.to_owned()), system_run(&system));
+    let ends = [&line, &run].map(|run| run.info.state == RunState::Done);
+    match ends {
+        [false, false] => (Fate::NeitherEnds, String::new()),
+        [false, true] => (Fate::LineFails, format!("{:?}", line.info.failure)),
+        [true, false] => (Fate::SystemFails, format!("{:?}", run.info.failure)),
+        [true, true] => {
+            let case = case::parse(text, "line.toml").unwrap();
+            let named = |name: &str| run.history.channel(name).unwrap().values.clone();
+            let turns = case
+                .payload
+                .as_ref()
+                .is_some_and(|of| of.rotation.is_some());
+            let (first, allowed) = if turns {
+                (ROD_RINGS, OF_ROD)
+            } else {
+                (FALLS, ALIKE)
+            };
+            let apart = apart_of(&case, &line.history, first, named);
+            let is_alike = apart.tension <= allowed.tension && apart.place_m <= allowed.place_m;
+            match (is_alike, is_known_apart(text)) {
+                (true, _) => (Fate::Alike, String::new()),
+                (false, true) => (Fate::KnownApart, String::new()),
+                (false, false) => (Fate::Apart, format!("{apart:?}")),
+            }
+        }
+    }
+}
+
+/// So many of a strategy, from a seed.
+fn drawn(of: &impl Strategy<Value = String>, count: usize, seed: u8) -> Vec<String> {
+    let rng = TestRng::from_seed(RngAlgorithm::ChaCha, &[seed; 32]);
+    let mut runner = TestRunner::new_with_rng(Config::default(), rng);
+    (0..count)
+        .map(|_| of.new_tree(&mut runner).unwrap().current())
+        .collect()
+}
+
+/// How many came to what, of so many in motion and at rest.
+fn fates(count: usize, seed: u8, told: bool) -> BTreeMap<Fate, usize> {
+    let moving = drawn(&any_scene(), count, seed)
+        .into_iter()
+        .map(|changes| timed(&changes));
+    let resting = drawn(&any_line(), count, seed)
+        .into_iter()
+        .map(|changes| at_rest(&changes));
+    let mut fates = BTreeMap::new();
+    for text in moving.chain(resting) {
+        let (fate, why) = fate(&text);
+        if told && !matches!(fate, Fate::Alike | Fate::NeitherEnds) && !why.is_empty() {
+            println!("{fate:?} {why}\n{text}\n");
+        }
+        *fates.entry(fate).or_default() += 1;
+    }
+    fates
+}
+
+/// All of them: `cargo test --release --test parity thousand -- --ignored --nocapture`.
+#[test]
+#[ignore = "the next test has a sample of the same"]
+fn a_thousand_drawn_lines_are_as_their_systems() {
+    let fates = fates(500, 1, true);
+    println!("{fates:#?}");
+    let count = |fate: Fate| fates.get(&fate).copied().unwrap_or_default();
+    assert!(count(Fate::Alike) >= 580, "{fates:?}");
+    // One payload in a sheared current, which hangs or streams: both are at rest.
+    assert!(
+        count(Fate::Apart) <= 1 && count(Fate::SystemFails) <= 1,
+        "{fates:?}"
+    );
+}
+
+#[test]
+fn drawn_lines_are_as_their_systems() {
+    let fates = fates(30, 2, true);
+    let alike = fates.get(&Fate::Alike).copied().unwrap_or_default();
+    let wrong = [Fate::Apart, Fate::SystemFails, Fate::LineFails];
+    assert!(
+        alike >= 36 && wrong.iter().all(|fate| !fates.contains_key(fate)),
+        "{fates:?}"
+    );
+}
