@@ -9,7 +9,7 @@ use super::motion::check as motion;
 use super::rods;
 use crate::case::model::MaterialKeys;
 use crate::case::schema::Key;
-use crate::case::{CheckedSection, Finding, drag_twice, of_attachments, unknown, used_twice};
+use crate::case::{CheckedSection, Finding, of_attachments, stated_twice, unknown, used_twice};
 
 /// Parts of a system by their names, so that many lines are checked in proportion to them.
 pub(super) struct ByName<'k, 'a> {
@@ -139,13 +139,26 @@ impl<'k, 'a> ByName<'k, 'a> {
         found.extend(sections.filter_map(|(_, section)| self.unknown_material(&section.material)));
         found.extend(segments_of_some(line));
         found.extend(names_of_sections(line));
-        found.extend(line.sections.iter().filter_map(|(_, section)| {
-            let aligned = [
-                &section.clump_drag_area_normal_m2,
-                &section.clump_drag_area_tangential_m2,
-            ];
-            drag_twice(&section.clump_drag_area_m2, aligned)
-        }));
+        found.extend(
+            line.sections
+                .iter()
+                .flat_map(|(_, section)| {
+                    let drag = [
+                        &section.clump_drag_area_normal_m2,
+                        &section.clump_drag_area_tangential_m2,
+                    ];
+                    let added_mass = [
+                        &section.clump_added_mass_normal_kg,
+                        &section.clump_added_mass_tangential_kg,
+                    ];
+                    let drag = stated_twice("drag", &section.clump_drag_area_m2, drag);
+                    [
+                        drag,
+                        stated_twice("added mass", &section.clump_added_mass_kg, added_mass),
+                    ]
+                })
+                .flatten(),
+        );
         if let Some((_, last)) = line.sections.last() {
             let problem = "is at the end of the line";
             let remedy = "give the mass to the point there, or to the section before";
@@ -155,6 +168,11 @@ impl<'k, 'a> ByName<'k, 'a> {
             found.extend(last.clump_drag_area_normal_m2.if_given(problem, remedy));
             found.extend(last.clump_drag_area_tangential_m2.if_given(problem, remedy));
             found.extend(last.clump_added_mass_kg.if_given(problem, remedy));
+            found.extend(last.clump_added_mass_normal_kg.if_given(problem, remedy));
+            found.extend(
+                last.clump_added_mass_tangential_kg
+                    .if_given(problem, remedy),
+            );
             found.extend(last.clump_bed_area_m2.if_given(problem, remedy));
             found.extend(last.clump_bottom_m.if_given(problem, remedy));
             found.extend(last.clump_breakout_n.if_given(problem, remedy));
