@@ -321,6 +321,27 @@ fn drag_of_a_clump_given_twice() {
 }
 
 #[test]
+fn a_point_has_no_direction_that_its_drag_or_added_mass_could_go_with() {
+    for key in [
+        "drag_area_normal_m2",
+        "drag_area_tangential_m2",
+        "added_mass_normal_kg",
+        "added_mass_tangential_kg",
+    ] {
+        refused(
+            "kind = \"free\"",
+            &format!("kind = \"free\"\nmass_kg = 5.0\n{key} = 1.0"),
+            27,
+            &[
+                &format!("points.middle.{key}"),
+                "goes with the direction of a line",
+                "[[lines.clumps]]",
+            ],
+        );
+    }
+}
+
+#[test]
 fn added_mass_of_a_clump_given_twice() {
     let section = "[[lines.sections]]\nmaterial = \"chain\"\nlength_m = 100.0";
     let two = |first: &str, second: &str| format!("{section}\n{first}\n{section}\n{second}\n\n");
