@@ -26,6 +26,7 @@
 //! | pipe wall | `T_w = T + p_i A_i - p_o A_o` | [`PipeWall::tension`](crate::physics::PipeWall::tension) |
 //! | drag, per length | `1/2 rho D (C_n abs(u_n) u_n + C_t abs(u_t) u_t)`, u relative to the water | [`DragProperties::drag`](crate::physics::drag::DragProperties::drag) |
 //! | drag of an aligned clump | the same by areas, along `d = (t1 + t2) / abs(t1 + t2)` | [`NodeDirection`](crate::physics::NodeDirection) |
+//! | added mass of an aligned clump | `(m_n (I - dd') + m_t dd') a`, along the same d | [`AddedMass`](crate::physics::added_mass::AddedMass) |
 //! | added mass | `M_a a = A_n a + (A_t - A_n) (t.a) t` | [`AddedMass::force`](crate::physics::added_mass::AddedMass::force) |
 //! | bending | energy `EI (1 - t1.t2) / l`, moment `EI sin(theta) / l` | [`BendAngle::forces`](crate::physics::bending::BendAngle::forces) |
 //! | rotating body | Kirchhoff's equations and gyroscopic couple | [`RigidBody`](crate::physics::RigidBody) |

@@ -1,4 +1,4 @@
-//! Added mass of half a segment: the water that goes with it, mostly across.
+//! Added mass of half a segment, or of a body aligned with its line: the water that goes with it, mostly across.
 //!
 //! Jia et al. 2019, eqs (2) and (3), their second terms, for a body accelerating in water that does
 //! not: `M a = m_n (a - t (t.a)) + m_t t (t.a)`.
@@ -6,8 +6,9 @@
 use nalgebra::Vector3;
 
 use crate::numerics::lanes::{Number, Two, dot};
+use crate::numerics::{M3, V3};
 
-/// Added mass of half a segment, or of both halves side by side.
+/// Added mass of half a segment, of both halves side by side, or of a body aligned with the line.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AddedMass<T = f64> {
     /// Across \[kg\].
@@ -42,6 +43,15 @@ impl<T: Number> AddedMass<T> {
         let k = (self.tangential - self.normal) * inverse_chord;
         let s = k * dot(t, a);
         (s, a * k - t * (s + s))
+    }
+}
+
+impl AddedMass {
+    /// `(m_n + mass) I + (m_t - m_n) tt'` \[kg\], with a mass that is the same along all axes on top, at tangent t.
+    #[must_use]
+    pub fn matrix(&self, t: &V3, mass: f64) -> M3 {
+        let along = t * ((self.tangential - self.normal) * t).transpose();
+        M3::from_diagonal_element(self.normal + mass) + along
     }
 }
 

@@ -6,6 +6,7 @@
 
 use std::f64::consts::PI;
 
+use super::added_mass::AddedMass;
 use crate::numerics::{M3, V3};
 
 /// A body, in SI.
@@ -19,9 +20,18 @@ pub struct BodyProperties {
     pub drag: V3,
     /// Added mass along x, y, z \[kg\].
     pub added: V3,
+    /// Added mass across and along the line that carries the body, in the place of that along x, y, z.
+    pub aligned: Option<AddedMass>,
 }
 
 impl BodyProperties {
+    /// The greatest added mass in any direction \[kg\].
+    #[must_use]
+    pub fn greatest_added_mass(&self) -> f64 {
+        let aligned = self.aligned.map(|m| m.normal.max(m.tangential));
+        aligned.unwrap_or_else(|| self.added.max())
+    }
+
     /// Drag \[N\] at relative velocity u of the water \[m/s\].
     #[inline]
     #[must_use]
@@ -109,6 +119,7 @@ mod tests {
             weight: 0.0,
             drag: V3::new(2.0, 3.0, 5.0),
             added: V3::zeros(),
+            aligned: None,
         };
         let u = V3::new(0.3, -0.7, 1.1);
         let tangent = body.drag_by_velocity(&u);

@@ -16,7 +16,7 @@ use super::state::part_request::PartRequest;
 use super::state::parts::{PartKey, PartView};
 use super::state::report::ReportRequest;
 use super::state::ship::ShipAtSea;
-use super::state::study_of::StudyOf;
+use super::state::study_request::StudyRequest;
 use super::state::sweep_request::{SweepEffect, SweepMsg};
 use super::state::text_request::TextRequest;
 use super::state::trials::{TrialProgress, TrialsOf};
@@ -25,7 +25,7 @@ use super::state::{
     CaseEntry, DocumentContent, FileOfText, JobNumber, JobRequest, ParameterEditor, Reading,
     RunCurves, RunEntry, Severity, VariantPlan, VariedRuns,
 };
-use crate::case::{Case, QuantityId};
+use crate::case::Case;
 use crate::chart::Glyphs;
 use crate::modes::LineModes;
 use crate::run::Run;
@@ -33,7 +33,6 @@ use crate::run::index::{RunColumns, SyncProgress};
 use crate::run::job::JobEvent;
 use crate::run::store::RunNotes;
 use crate::ship::DynamicAnalysis;
-use crate::study::points::BaseCase;
 use crate::study::vary::Variation;
 
 /// Something happened.
@@ -135,19 +134,6 @@ pub enum RunToCompare {
     Memory(Arc<Run>),
     /// One in this directory.
     Stored(PathBuf),
-}
-
-/// A study of one result.
-#[derive(Debug, Clone)]
-pub struct StudyRequest {
-    /// What it varies.
-    pub of: StudyOf,
-    /// The case.
-    pub base: BaseCase,
-    /// The result.
-    pub result: QuantityId,
-    /// Columns of the page.
-    pub width: usize,
 }
 
 /// What the exact case of a stored run is wanted for.

@@ -3,8 +3,10 @@
 
 use std::sync::Arc;
 
-use super::state::{LineView, RunsView};
-use crate::case::{Case, ChannelQuantity, LineQuantity, QuantityId, Statistic, Subject};
+use super::state::{Document, DocumentContent, LineView, RunsView, SystemView};
+use crate::case::{
+    Case, ChannelQuantity, LineQuantity, QuantityId, Statistic, Subject, TextDigest,
+};
 use crate::number;
 use crate::run::{Quantity, Run, limits};
 
@@ -53,15 +55,60 @@ pub fn chosen(line: &LineView) -> Vec<ResultLine> {
     found.map(|quantity| one(line, run, quantity)).collect()
 }
 
-/// All results.
+/// The results that the pane of results lists: of a line case those of its live solve, of a system those of the newest run of its
+/// text, else those that it has at rest or will have.
 #[must_use]
-pub fn all(line: &LineView) -> Vec<ResultLine> {
-    shown_run(line).map_or_else(Vec::new, |run| {
-        run.summary
-            .iter()
-            .map(|quantity| one(line, run, quantity))
-            .collect()
-    })
+pub fn listed(document: &Document) -> Vec<QuantityId> {
+    let of_run = |run: &Arc<Run>| run.summary.iter().map(|q| q.id.clone()).collect();
+    match &document.content {
+        DocumentContent::Line(line) => shown_run(line).map_or_else(Vec::new, of_run),
+        DocumentContent::System(system) => match system_run(document, system) {
+            Some(run) => of_run(run),
+            None => system.expected.iter().map(|e| e.id.clone()).collect(),
+        },
+        _ => Vec::new(),
+    }
+}
+
+/// The same as the pane shows them.
+#[must_use]
+pub fn all(document: &Document) -> Vec<ResultLine> {
+    match &document.content {
+        DocumentContent::Line(line) => shown_run(line).map_or_else(Vec::new, |run| {
+            let results = run.summary.iter();
+            results.map(|quantity| one(line, run, quantity)).collect()
+        }),
+        DocumentContent::System(system) => of_system(document, system),
+        _ => Vec::new(),
+    }
+}
+
+/// The newest complete run of the text of a system.
+#[must_use]
+pub fn system_run<'v>(document: &Document, system: &'v SystemView) -> Option<&'v Arc<Run>> {
+    let text = TextDigest::of_text(&document.editor.text);
+    system.runs_view.complete_run(text)
+}
+
+fn of_system(document: &Document, system: &SystemView) -> Vec<ResultLine> {
+    let against = system.runs_view.against.as_ref();
+    let line = |id: &QuantityId, found: Option<&Quantity>| {
+        let other = against.and_then(|(_, run)| run.summary.iter().find(|other| other.id == *id));
+        let compared = found.zip(other);
+        ResultLine {
+            name: id.to_string(),
+            value: found.map_or_else(String::new, |quantity| value(quantity, false)),
+            difference: compared.map_or_else(String::new, |(one, other)| difference(one, other)),
+            ..ResultLine::default()
+        }
+    };
+    match system_run(document, system) {
+        Some(run) => run.summary.iter().map(|q| line(&q.id, Some(q))).collect(),
+        None => {
+            let expected = system.expected.iter();
+            expected.map(|e| line(&e.id, e.at_rest.as_ref())).collect()
+        }
+    }
 }
 
 fn one(line: &LineView, run: &Run, quantity: &Quantity) -> ResultLine {

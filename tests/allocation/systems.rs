@@ -59,6 +59,8 @@ segments = 6
 clump_kg = -20.0
 clump_drag_area_normal_m2 = 0.6
 clump_drag_area_tangential_m2 = 0.2
+clump_added_mass_normal_kg = 12.0
+clump_added_mass_tangential_kg = 3.0
 [[lines.sections]]
 material = \"chain\"
 length_m = 30.0

@@ -19,6 +19,7 @@ mod rest;
 
 mod accuracy;
 mod agreement;
+mod bead_on_string;
 mod closed_forms;
 mod convergence_orders;
 mod energy_balance;

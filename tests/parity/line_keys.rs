@@ -218,6 +218,25 @@ fn a_clump_aligned_with_the_line_moves_as_on_the_line() {
     assert!(apart > 1e-2, "{apart}");
 }
 
+/// The same of an added mass across and along it.
+#[test]
+fn an_added_mass_aligned_with_the_line_moves_as_on_the_line() {
+    let aligned = "added_mass_normal_kg = 900.0\nadded_mass_tangential_kg = 50.0";
+    let text = WIRE.replace("added_mass_kg = 200.0", aligned);
+    let text = text.replace("time_step_s = 0.02", "time_step_s = 0.005");
+    let by_alpha = assert_moves_as_on_the_line(&text, "line|low|high");
+    let explicit = "method = \"rk4\"\ntime_step_s = 2e-4";
+    let by_rk4 = text.replace("time_step_s = 0.005", explicit);
+    let by_rk4 = assert_moves_as_on_the_line(&by_rk4, "line|low|high");
+    let apart = greatest_difference(&by_alpha, &by_rk4);
+    assert!(apart < 1e-3, "{apart}");
+    // It is no mass that resists alike in all directions.
+    let around = text.replace(aligned, "added_mass_kg = 900.0");
+    let by_axes = assert_moves_as_on_the_line(&around, "line|low|high");
+    let apart = greatest_difference(&by_alpha, &by_axes);
+    assert!(apart > 1e-2, "{apart}");
+}
+
 /// The greatest difference of two records by the greatest value.
 pub(crate) fn greatest_difference(own: &[f64], other: &[f64]) -> f64 {
     let greatest = own.iter().fold(0.0_f64, |a, b| a.max(b.abs()));

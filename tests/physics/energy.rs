@@ -82,10 +82,15 @@ fn the_books_of_a_falling_payload_balance() {
 /// Clumps that are aligned with the line, in a current and in still water, one at its lower end: what the water puts in and takes out.
 #[test]
 fn the_books_of_clumps_aligned_with_the_line_balance() {
+    the_books_of_clumps_balance("added_mass_kg = 40.0");
+    the_books_of_clumps_balance("added_mass_normal_kg = 90.0, added_mass_tangential_kg = 10.0");
+}
+
+fn the_books_of_clumps_balance(added_mass: &str) {
     let clump = |name: &str, at: f64| {
         format!(
             "{{ name = \"{name}\", section = \"rope\", at_m = {at:?}, mass_kg = 80.0, wet_mass_kg = 20.0, \
-             drag_area_normal_m2 = 3.0, drag_area_tangential_m2 = 0.8, added_mass_kg = 40.0 }}"
+             drag_area_normal_m2 = 3.0, drag_area_tangential_m2 = 0.8, {added_mass} }}"
         )
     };
     let clumps = [

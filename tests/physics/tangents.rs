@@ -631,14 +631,14 @@ fn what_is_paid_out_is_all_there() {
     }
 }
 
-/// Clumps with drag across and along the line: at an inner node, where two sections meet, at the end with the payload, two at one node;
+/// Clumps with drag and added mass across and along the line: at an inner node, where two sections meet, at the end with the payload, two at one node;
 /// taut, slack and folded, in a sheared current, in waves, through the surface.
 #[test]
 fn tangent_of_clumps_aligned_with_the_line() {
     let clump = |name: &str, section: &str, at: f64| {
         format!(
             "[[clumps]]\nname = \"{name}\"\nsection = \"{section}\"\nat_m = {at:?}\nmass_kg = 900.0\nwet_mass_kg = -600.0\n\
-             drag_area_normal_m2 = 6.0\ndrag_area_tangential_m2 = 2.5\nadded_mass_kg = 300.0\n"
+             drag_area_normal_m2 = 6.0\ndrag_area_tangential_m2 = 2.5\nadded_mass_normal_kg = 900.0\nadded_mass_tangential_kg = 70.0\n"
         )
     };
     let clumps = [

@@ -388,6 +388,7 @@ length_m = 60.0
 clump_kg = -50.0
 clump_drag_area_normal_m2 = 2.0
 clump_drag_area_tangential_m2 = 0.5
+clump_added_mass_normal_kg = 30.0
 [[lines.sections]]
 material = "rope"
 length_m = 60.0
@@ -399,7 +400,8 @@ length_m = 60.0
         keys,
         [
             "lines.riser.sections.1.clump_drag_area_normal_m2",
-            "lines.riser.sections.1.clump_drag_area_tangential_m2"
+            "lines.riser.sections.1.clump_drag_area_tangential_m2",
+            "lines.riser.sections.1.clump_added_mass_normal_kg"
         ]
     );
     written(&solved, Target::MapPlusPlus);

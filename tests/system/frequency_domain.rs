@@ -93,7 +93,7 @@ fn a_module_on_a_tether_in_a_current_and_low_waves_moves_as_in_time() {
         [points.buoy]\nkind = \"free\"\nmass_kg = 800.0\nvolume_m3 = 2.0\nadded_mass_kg = 1000.0\ndrag_area_m2 = 2.0\nposition_m = [5.0, 0.0, -10.0]
         [[lines]]\nname = \"tether\"\nfrom = \"below\"\nto = \"buoy\"
         [[lines.sections]]\nmaterial = \"rope\"\nlength_m = 25.0\nsegments = 10\nclump_kg = -50.0\nclump_mass_kg = 150.0
-        clump_drag_area_normal_m2 = 6.0\nclump_drag_area_tangential_m2 = 1.0
+        clump_drag_area_normal_m2 = 6.0\nclump_drag_area_tangential_m2 = 1.0\nclump_added_mass_normal_kg = 400.0\nclump_added_mass_tangential_kg = 30.0
         [[lines.sections]]\nmaterial = \"rope\"\nlength_m = 25.0\nsegments = 10
         {}",
         low_wave(period, 0.0),

@@ -319,3 +319,50 @@ fn drag_of_a_clump_given_twice() {
         &["clump_drag_area_tangential_m2", "is at the end of the line"],
     );
 }
+
+#[test]
+fn a_point_has_no_direction_that_its_drag_or_added_mass_could_go_with() {
+    for key in [
+        "drag_area_normal_m2",
+        "drag_area_tangential_m2",
+        "added_mass_normal_kg",
+        "added_mass_tangential_kg",
+    ] {
+        refused(
+            "kind = \"free\"",
+            &format!("kind = \"free\"\nmass_kg = 5.0\n{key} = 1.0"),
+            27,
+            &[
+                &format!("points.middle.{key}"),
+                "goes with the direction of a line",
+                "[[lines.clumps]]",
+            ],
+        );
+    }
+}
+
+#[test]
+fn added_mass_of_a_clump_given_twice() {
+    let section = "[[lines.sections]]\nmaterial = \"chain\"\nlength_m = 100.0";
+    let two = |first: &str, second: &str| format!("{section}\n{first}\n{section}\n{second}\n\n");
+    let whole = "material = \"chain\"\nlength_m = 200.0\n\n";
+    refused(
+        whole,
+        &two(
+            "clump_kg = 10.0\nclump_added_mass_tangential_kg = 2.0\nclump_added_mass_kg = 1.0",
+            "",
+        ),
+        36,
+        &[
+            "clump_added_mass_kg",
+            "is given beside `clump_added_mass_tangential_kg`",
+            "leave it out",
+        ],
+    );
+    refused(
+        whole,
+        &two("", "clump_added_mass_normal_kg = 1.0"),
+        38,
+        &["clump_added_mass_normal_kg", "is at the end of the line"],
+    );
+}

@@ -7,6 +7,7 @@ use super::line::AttachedBody;
 use super::vectors::per_axis;
 use super::{RigidPayload, SceneError};
 use crate::case::{self, Case, EndKind, OnSection};
+use crate::physics::added_mass::AddedMass;
 use crate::physics::kirchhoff::KirchhoffAddedMass;
 use crate::physics::payload::{FormCoefficients, box_form, sphere_and_cylinder};
 use crate::physics::rigid_body::RigidBodyProperties;
@@ -75,6 +76,10 @@ fn clump_body(case: &Case, clump: &case::Clump) -> BodyProperties {
         weight: clump.wet_mass_kg * water.gravity_m_per_s2,
         drag: per_axis(&clump.drag_area_m2) * (0.5 * water.water_density_kg_per_m3),
         added: per_axis(&clump.added_mass_kg),
+        aligned: clump.has_aligned_added_mass().then_some(AddedMass {
+            normal: clump.added_mass_normal_kg,
+            tangential: clump.added_mass_tangential_kg,
+        }),
     }
 }
 
@@ -167,6 +172,7 @@ fn payload(case: &Case) -> Result<Option<BodyProperties>, SceneError> {
         weight: wet * case.environment.gravity_m_per_s2,
         drag: area.unwrap_or_default() * (0.5 * rho),
         added: added.unwrap_or_default(),
+        aligned: None,
     }))
 }
 

@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use nalgebra::Vector6;
 
+use super::body_added_mass::BodyAddedMass;
 use super::segment_block::SegmentPass;
 use super::water::BodyInWater;
 use super::{AttachedBody, EndCondition, LumpedLine, Scene};
@@ -73,8 +74,9 @@ impl Scene {
                     load,
                     ..
                 } = self.line.body_in_water(number, state);
-                f += (body.drag(&u) + body.added.component_mul(&carried)) * share + load;
-                m.add_axes(&(body.added * share));
+                let added = self.line.body_added_mass(number, state);
+                f += (body.drag(&u) + added.force(&carried)) * share + load;
+                m.add_body(&added, share);
             }
             state.a[i] = m.solve(&f);
             (f, m) = (beyond, next);
@@ -267,13 +269,14 @@ impl LumpedLine {
                 m.add_directed(&along, added.normal, added.tangential);
             }
         }
-        for (number, hung) in self
+        for (number, _) in self
             .bodies
             .iter()
             .enumerate()
             .filter(|(_, h)| h.node == node)
         {
-            m.add_axes(&(hung.body.added * self.body_in_water(number, state).share));
+            let share = self.body_in_water(number, state).share;
+            m.add_body(&self.body_added_mass(number, state), share);
         }
         m
     }
@@ -326,6 +329,17 @@ impl SymmetricBlock {
         self.xy += k * t.x * t.y;
         self.xz += k * t.x * t.z;
         self.yz += k * t.y * t.z;
+    }
+
+    /// A share of the added mass of a body.
+    #[inline(always)]
+    fn add_body(&mut self, added: &BodyAddedMass<'_>, share: f64) {
+        match added {
+            BodyAddedMass::Axes(m) => self.add_axes(&(*m * share)),
+            BodyAddedMass::Aligned(m, direction) => {
+                self.add_directed(&direction.d, m.normal * share, m.tangential * share);
+            }
+        }
     }
 
     fn matrix(&self) -> M3 {

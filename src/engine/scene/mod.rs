@@ -7,6 +7,7 @@
 
 mod alternate_equilibria;
 mod bodies;
+mod body_added_mass;
 pub mod build;
 mod buoyancy;
 mod chord_correction;

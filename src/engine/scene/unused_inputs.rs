@@ -37,7 +37,7 @@ pub fn loads_without_effect(case: &Case) -> Option<String> {
     let clumps = case
         .clumps
         .iter()
-        .filter(|clump| without(&clump.drag_area_m2) && !clump.is_aligned());
+        .filter(|clump| without(&clump.drag_area_m2) && !clump.has_aligned_drag());
     let traveller = case
         .traveller
         .as_ref()

@@ -352,7 +352,8 @@ fn free_point(name: &str, point: &PointInputs, target: Target, found: &mut Found
     }
 }
 
-/// Added mass of bodies in a line that displace nothing, and drag of bodies that are aligned with it; a file of MAP++ has neither.
+/// Added mass of bodies in a line that displace nothing, and drag and added mass of bodies that are aligned with it; a file of MAP++ has
+/// neither.
 fn clumps(line: &LineInputs, target: Target, found: &mut FoundRefusals) {
     for (number, section) in line.sections.iter().enumerate() {
         let clump = section.clump().unwrap_or_default();
@@ -379,14 +380,16 @@ fn clumps(line: &LineInputs, target: Target, found: &mut FoundRefusals) {
             key("clump_bottom_m"),
             "bearing area, bottom and breakout force of a point",
         );
-        for (name, area) in ["clump_drag_area_normal_m2", "clump_drag_area_tangential_m2"]
-            .into_iter()
-            .zip([clump.drag_area_normal_m2, clump.drag_area_tangential_m2])
-        {
+        for (name, value) in [
+            ("drag_area_normal_m2", clump.drag_area_normal_m2),
+            ("drag_area_tangential_m2", clump.drag_area_tangential_m2),
+            ("added_mass_normal_kg", clump.added_mass_normal_kg),
+            ("added_mass_tangential_kg", clump.added_mass_tangential_kg),
+        ] {
             found.add(
-                target == Target::MoorDyn && area > 0.0,
-                key(name),
-                "drag of a point across and along its line",
+                target == Target::MoorDyn && value > 0.0,
+                key(&format!("clump_{name}")),
+                "drag or added mass of a point across and along its line",
             );
         }
     }

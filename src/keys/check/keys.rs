@@ -143,6 +143,12 @@ impl KeyChecker {
             self.report(&entry.key_span, path, problem, remedy);
             return None;
         }
+        let mut absent = self.schema.absent.iter();
+        if let Some(why) = absent.find(|absent| absent.table == pattern && absent.key == entry.key)
+        {
+            self.report(&entry.key_span, path, why.problem, why.remedy);
+            return None;
+        }
         let tables: Vec<&str> = self
             .schema
             .tables_in(pattern)

@@ -37,6 +37,21 @@ pub struct Schema {
     pub parts: Vec<Field>,
     /// Its tables.
     pub tables: Vec<TableSchema>,
+    /// Keys that tables do not have for a reason.
+    pub absent: &'static [AbsentKey],
+}
+
+/// A key that other tables have and this one does not, for a reason that its name does not tell.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct AbsentKey {
+    /// The pattern of the table: `points.*`.
+    pub table: &'static str,
+    /// The key.
+    pub key: &'static str,
+    /// Why the table does not have it, as a predicate: "goes along ...".
+    pub problem: &'static str,
+    /// What would be right.
+    pub remedy: &'static str,
 }
 
 /// Labels and help of the coordinates of a position.
@@ -80,6 +95,13 @@ impl Schema {
         self.tables
             .insert(1.min(self.tables.len()), parameters_table::table());
         self.fields.push(parameters_table::field());
+        self
+    }
+
+    /// The same, with keys that tables do not have for a reason.
+    #[must_use]
+    pub fn without_keys(mut self, absent: &'static [AbsentKey]) -> Self {
+        self.absent = absent;
         self
     }
 

@@ -120,6 +120,7 @@ pub fn schema_of<T: TableType>(what: &'static str, least: &'static str) -> Schem
         fields: declared.fields,
         parts: Vec::new(),
         tables: declared.tables,
+        absent: &[],
     }
 }
 

@@ -45,7 +45,7 @@ fn motions(scene: &Scene) -> impl Iterator<Item = &EndMotion> {
 pub fn bounce_period(scene: &Scene) -> f64 {
     let line = &scene.line;
     let compliance = line.segments.iter().map(|s| s.axial.length / s.axial.ea);
-    let added = line.bodies.iter().map(|b| b.body.added.max());
+    let added = line.bodies.iter().map(|b| b.body.greatest_added_mass());
     let mass = line.mass.iter().sum::<f64>() + added.sum::<f64>();
     std::f64::consts::TAU * (mass * compliance.sum::<f64>()).sqrt()
 }

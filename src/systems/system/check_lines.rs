@@ -4,12 +4,12 @@ use std::collections::{HashMap, HashSet};
 
 use super::check_bed::friction_of_line;
 use super::check_start;
-use super::model::{BodyKeys, LineKeys, PointKeys, PointKind, SystemKeys};
+use super::model::{BodyKeys, LineKeys, LineSectionKeys, PointKeys, PointKind, SystemKeys};
 use super::motion::check as motion;
 use super::rods;
 use crate::case::model::MaterialKeys;
 use crate::case::schema::Key;
-use crate::case::{CheckedSection, Finding, drag_twice, of_attachments, unknown, used_twice};
+use crate::case::{CheckedSection, Finding, of_attachments, stated_twice, unknown, used_twice};
 
 /// Parts of a system by their names, so that many lines are checked in proportion to them.
 pub(super) struct ByName<'k, 'a> {
@@ -139,26 +139,11 @@ impl<'k, 'a> ByName<'k, 'a> {
         found.extend(sections.filter_map(|(_, section)| self.unknown_material(&section.material)));
         found.extend(segments_of_some(line));
         found.extend(names_of_sections(line));
-        found.extend(line.sections.iter().filter_map(|(_, section)| {
-            let aligned = [
-                &section.clump_drag_area_normal_m2,
-                &section.clump_drag_area_tangential_m2,
-            ];
-            drag_twice(&section.clump_drag_area_m2, aligned)
-        }));
+        for (_, section) in line.sections.iter() {
+            found.extend(clump_twice(section).into_iter().flatten());
+        }
         if let Some((_, last)) = line.sections.last() {
-            let problem = "is at the end of the line";
-            let remedy = "give the mass to the point there, or to the section before";
-            found.extend(last.clump_kg.if_given(problem, remedy));
-            found.extend(last.clump_mass_kg.if_given(problem, remedy));
-            found.extend(last.clump_drag_area_m2.if_given(problem, remedy));
-            found.extend(last.clump_drag_area_normal_m2.if_given(problem, remedy));
-            found.extend(last.clump_drag_area_tangential_m2.if_given(problem, remedy));
-            found.extend(last.clump_added_mass_kg.if_given(problem, remedy));
-            found.extend(last.clump_bed_area_m2.if_given(problem, remedy));
-            found.extend(last.clump_bottom_m.if_given(problem, remedy));
-            found.extend(last.clump_breakout_n.if_given(problem, remedy));
-            found.extend(last.clump_breakout_distance_m.if_given(problem, remedy));
+            found.extend(clump_at_end(last));
         }
         found
     }
@@ -263,6 +248,44 @@ fn attached(line: &LineKeys<'_>) -> Vec<Finding> {
         }
     }
     found
+}
+
+/// Drag area and added mass of the clump of a section, all around and across and along the line.
+fn clump_twice(section: &LineSectionKeys<'_>) -> [Option<Finding>; 2] {
+    let drag = [
+        &section.clump_drag_area_normal_m2,
+        &section.clump_drag_area_tangential_m2,
+    ];
+    let added_mass = [
+        &section.clump_added_mass_normal_kg,
+        &section.clump_added_mass_tangential_kg,
+    ];
+    [
+        stated_twice("drag", &section.clump_drag_area_m2, drag),
+        stated_twice("added mass", &section.clump_added_mass_kg, added_mass),
+    ]
+}
+
+/// A clump of the last section, which is where the line ends.
+fn clump_at_end(last: &LineSectionKeys<'_>) -> impl Iterator<Item = Finding> {
+    let problem = "is at the end of the line";
+    let remedy = "give the mass to the point there, or to the section before";
+    let found = [
+        last.clump_kg.if_given(problem, remedy),
+        last.clump_mass_kg.if_given(problem, remedy),
+        last.clump_drag_area_m2.if_given(problem, remedy),
+        last.clump_drag_area_normal_m2.if_given(problem, remedy),
+        last.clump_drag_area_tangential_m2.if_given(problem, remedy),
+        last.clump_added_mass_kg.if_given(problem, remedy),
+        last.clump_added_mass_normal_kg.if_given(problem, remedy),
+        last.clump_added_mass_tangential_kg
+            .if_given(problem, remedy),
+        last.clump_bed_area_m2.if_given(problem, remedy),
+        last.clump_bottom_m.if_given(problem, remedy),
+        last.clump_breakout_n.if_given(problem, remedy),
+        last.clump_breakout_distance_m.if_given(problem, remedy),
+    ];
+    found.into_iter().flatten()
 }
 
 /// Names that sections of a line share, or that some of them have and others do not.

@@ -13,16 +13,35 @@ use super::potential_flow::wave_loads::uncovered;
 use super::rest::UnsolvedSystem;
 use super::solved::{SolvedSystem, solve};
 use crate::case::attachments::{FileSource, places};
-use crate::case::fields::{POSITION, Schema};
+use crate::case::fields::{AbsentKey, POSITION, Schema};
 use crate::case::file_kind::{FileContent, FileKind};
 use crate::case::schema::schema_of;
 use crate::case::{Attachment, Diagnostic, FieldLister, FieldRow, Finding};
+
+/// Keys of a clump on a line that go with the direction of that.
+const OF_DIRECTION: [AbsentKey; 4] = {
+    const fn of_point(key: &'static str) -> AbsentKey {
+        AbsentKey {
+            table: "points.*",
+            key,
+            problem: "goes with the direction of a line, and a point, at which several may meet, has none",
+            remedy: "hang a clump on the line near its end ([[lines.clumps]]), or leave it out",
+        }
+    }
+    [
+        of_point("drag_area_normal_m2"),
+        of_point("drag_area_tangential_m2"),
+        of_point("added_mass_normal_kg"),
+        of_point("added_mass_tangential_kg"),
+    ]
+};
 
 /// The system file.
 pub static SYSTEM: LazyLock<Schema> = LazyLock::new(|| {
     let least = "a system has at least [system] with a title, and [materials.<name>], [points.<name>] and [[lines]], or a body or rod";
     schema_of::<SystemFile>("system", least)
         .with_parameters()
+        .without_keys(&OF_DIRECTION)
         .with_coordinates("points.*.position_m", POSITION.0, POSITION.1)
         .with_coordinates(
             "points.*.amplitude_m",

@@ -151,7 +151,7 @@ fn has_weights(line: &Line) -> bool {
     let is_weight = |clump: &Clump| {
         let [drag, added] = [&clump.drag_area_m2, &clump.added_mass_kg];
         let none = OneOrMany::One(0.0);
-        let is_passed = *drag != none || clump.is_aligned();
+        let is_passed = *drag != none || clump.has_aligned_drag() || clump.has_aligned_added_mass();
         clump.mass_kg <= clump.wet_mass_kg.abs() && !is_passed && *added == none
     };
     divided.case().clumps.iter().any(is_weight)

@@ -613,6 +613,10 @@ table! {
         clump_drag_area_tangential_m2: f64 = 0.0, "drag area of the clump along the line", range of(0.0, 1e6);
         /// Added mass of that body: one number, or along x, y, z.
         clump_added_mass_kg: OneOrMany = 0.0, "added mass of the clump", kind NumberOrTriple, range of(0.0, 1e10);
+        /// Added mass of that body across the line, of a module around it and what else is aligned with it; in place of its added mass.
+        clump_added_mass_normal_kg: f64 = 0.0, "added mass of the clump across the line", range of(0.0, 1e10);
+        /// The same along the line, that of a module by its ends.
+        clump_added_mass_tangential_kg: f64 = 0.0, "added mass of the clump along the line", range of(0.0, 1e10);
         /// Area of that body that bears on the bed, on lines divided into segments.
         clump_bed_area_m2: Option<f64>, "area of the clump on the bed", range of(0.0, 1e6), absent "the bottom of a cube of its volume";
         /// From the line down to what of that body bears on the bed.

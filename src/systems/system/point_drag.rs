@@ -22,6 +22,7 @@ impl FreePoint {
                 weight: 0.0,
                 drag: self.drag_area * (0.5 * density),
                 added: V3::zeros(),
+                aligned: None,
             };
             return (body.drag(u), body.drag_by_velocity(u) * share);
         };

@@ -1,4 +1,4 @@
-//! The results of the live run: all of them in a pane, those that matter in a band of the cockpit.
+//! The results of what is open: all of them in a pane; of a line case those that matter in a band of the cockpit.
 
 use ratatui::layout::Rect;
 use ratatui::style::Style;
@@ -10,7 +10,7 @@ use crate::command::{self, Command, CommandId, LIST, main, other};
 use crate::msg::Effect;
 use crate::result_lines::{self, ResultLine};
 use crate::state::study_of::StudyOf;
-use crate::state::{AppState, LineView};
+use crate::state::{AppState, DocumentContent};
 use crate::update::motion::{moved, step};
 use crate::update::{pages, results};
 use crate::view::paint::{below_head, right, span};
@@ -36,11 +36,12 @@ impl Pane for ResultsPane {
     fn reason(&self, state: &AppState, id: CommandId) -> Option<&'static str> {
         match id {
             CommandId::HoldAgainst => results::why_not_held(state),
-            CommandId::Select | CommandId::InputEffects | CommandId::Physics => {
-                results::why_no_result(state)
-            }
-            CommandId::Fit => results::shows_main_ones(state)
-                .then_some("The main results stand beside the inputs already."),
+            CommandId::Select => results::why_not_beside(state),
+            CommandId::InputEffects | CommandId::Physics => results::why_no_result(state),
+            CommandId::Fit => results::why_not_beside(state).or_else(|| {
+                results::shows_main_ones(state)
+                    .then_some("The main results stand beside the inputs already.")
+            }),
             _ => None,
         }
     }
@@ -54,28 +55,34 @@ impl Pane for ResultsPane {
             CommandId::Physics => return Some(pages::study(state, StudyOf::Physics)),
             CommandId::Fit => results::main_ones(state),
             _ => {
-                let line = state.line_mut()?;
-                let count = result_lines::shown_run(line).map_or(0, |run| run.summary.len());
-                line.result = moved(line.result, by?, count);
+                let document = state.document.as_mut()?;
+                let count = result_lines::listed(document).len();
+                document.result = moved(document.result, by?, count);
             }
         }
         Some(Vec::new())
     }
 
     fn view(&self, painter: &mut Painter, area: Rect) {
-        let Some(line) = painter.state.line() else {
+        let Some(document) = &painter.state.document else {
             return;
         };
         let [head, list] = below_head(area);
-        let lines = result_lines::all(line);
+        let lines = result_lines::all(document);
         let widths = Widths::of_lines(&lines, area.width);
-        title(painter, head, line);
-        painter.list(list, line.result, lines.len(), |painter, at, i| {
-            let style = painter.line_style(i == line.result);
+        title(painter, head);
+        let (cursor, of_line) = (document.result, document.line().is_some());
+        painter.list(list, cursor, lines.len(), |painter, at, i| {
+            let style = painter.line_style(i == cursor);
             painter.buf.set_style(at, style);
-            let mark = if lines[i].chosen { "[x] " } else { "[ ] " };
-            painter.text(at, mark, style);
-            widths.line(painter, span(at, 4, at.width), &lines[i], style);
+            // Those of a line case alone stand beside the inputs.
+            let mark = match (of_line, lines[i].chosen) {
+                (false, _) => "",
+                (true, true) => "[x] ",
+                (true, false) => "[ ] ",
+            };
+            let rest = painter.text(at, mark, style);
+            widths.line(painter, rest, &lines[i], style);
         });
     }
 }
@@ -86,7 +93,7 @@ pub fn band(painter: &mut Painter, area: Rect) {
         return;
     };
     let [head, list] = below_head(area);
-    title(painter, head, line);
+    title(painter, head);
     let lines = result_lines::chosen(line);
     let widths = Widths::of_lines(&lines, area.width);
     // What is coarse says so by its numbers.
@@ -104,7 +111,13 @@ pub fn band(painter: &mut Painter, area: Rect) {
 
 /// What the results are of, when not of the inputs as they are.
 fn staleness(state: &AppState) -> Option<&'static str> {
-    let (line, editor) = (state.line()?, state.editor()?);
+    let document = state.document.as_ref()?;
+    if let DocumentContent::System(system) = &document.content {
+        let run = result_lines::system_run(document, system);
+        let lacks_run = system.has_runs() && run.is_none();
+        return lacks_run.then_some("not computed yet");
+    }
+    let (line, editor) = (document.line()?, &document.editor);
     let live = &line.runs_view.live;
     if let Some(coarse) = &live.coarse {
         let of_inputs = coarse.text == editor.text && editor.pending.is_empty();
@@ -133,7 +146,7 @@ fn staleness(state: &AppState) -> Option<&'static str> {
     })
 }
 
-fn title(painter: &mut Painter, head: Rect, line: &LineView) {
+fn title(painter: &mut Painter, head: Rect) {
     let rule = if painter.glyphs() == Glyphs::Braille {
         "\u{2500}"
     } else {
@@ -143,11 +156,9 @@ fn title(painter: &mut Painter, head: Rect, line: &LineView) {
     painter.text(head, &rule.repeat(head.width.into()), faint);
     let style = painter.theme.head();
     painter.text(span(head, 2, head.width), " results ", style);
-    let against = line
-        .runs_view
-        .against
-        .as_ref()
-        .map(|(name, _)| format!(" against {name} "));
+    let view = painter.state.runs_view();
+    let against = view.and_then(|view| view.against.as_ref());
+    let against = against.map(|(name, _)| format!(" against {name} "));
     let words = match (staleness(painter.state), against) {
         (Some(stale), _) => format!(" {stale} "),
         (None, Some(against)) => against,
@@ -196,9 +207,11 @@ impl Widths {
             let width = lines.iter().map(|line| of(line).width()).max().unwrap_or(0);
             u16::try_from(width).unwrap_or(u16::MAX)
         };
-        let value = widest(|line| &line.value).min(27);
-        let difference = widest(|line| &line.difference).max(6);
-        let share = widest(|line| &line.share);
+        let (difference, share) = (widest(|line| &line.difference), widest(|line| &line.share));
+        // Where nothing stands behind them, values have the room to say that they have no error.
+        let widest_value = if difference + share > 0 { 27 } else { 40 };
+        let value = widest(|line| &line.value).min(widest_value);
+        let difference = difference.max(6);
         let taken = value + difference + share + 6 + 4;
         let name = widest(|line| &line.name).min(room.saturating_sub(taken).max(12));
         Self {

@@ -12,6 +12,7 @@ use super::part_request::PartRequest;
 use super::parts::{PartKey, PartOf, Parts, ScreenPart};
 use super::reading::{Draft, FileOfText, Reading};
 use super::runs_view::{Charted, RunsView};
+use super::study_of::RunningStudy;
 use super::sweeps::SweepsView;
 use crate::pane::PaneId;
 use crate::table_pane::TablePane;
@@ -33,6 +34,10 @@ pub struct Document {
     pub tables: Vec<TablePane>,
     /// Selection, sorting and scrolling of the validation table.
     pub checks_pane: TablePane,
+    /// Cursor among all results.
+    pub result: usize,
+    /// A study of one of them that computes.
+    pub study: Option<RunningStudy>,
     /// What takes more than drawing.
     pub parts: Parts,
 }
@@ -55,6 +60,8 @@ impl Document {
             tab: 0,
             tables: vec![TablePane::default(); kind.tabs.len()],
             checks_pane: TablePane::default(),
+            result: 0,
+            study: None,
             parts: Parts::default(),
             editor,
             content,

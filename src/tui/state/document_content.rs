@@ -77,7 +77,8 @@ impl DocumentContent {
     }
 
     /// The files that it names, with what was parsed of them.
-    pub(super) fn files(&self) -> BTreeMap<String, Attachment> {
+    #[must_use]
+    pub fn files(&self) -> BTreeMap<String, Attachment> {
         match self {
             Self::Line(line) => line.case.files.clone(),
             Self::System(system) => system.solved.file.files.clone(),

@@ -1,12 +1,10 @@
 //! A line case that is open: its live solve, its runs, and what the panes show.
 
 use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
 
 use super::document_kind::{DocumentKind, KindInfo};
 use super::modes::ModesView;
 use super::runs_view::RunsView;
-use super::study_of::StudyOf;
 use super::sweeps::{NO_LOAD_CASES, SweepsView};
 use super::trials::NO_TRIALS;
 use super::value_check::{Checking, ValidationTable};
@@ -16,34 +14,8 @@ use crate::command::{Command, CommandId, LINE};
 use crate::line_tables::LineTable;
 use crate::pane::PaneId;
 use crate::report::figures::FigureId;
-use crate::run::{Run, RunState};
+use crate::run::Run;
 use crate::table_pane::TablePane;
-
-/// A study that computes behind the screen.
-#[derive(Debug, Clone)]
-pub struct RunningStudy {
-    /// What it varies.
-    pub of: StudyOf,
-    /// Stops it.
-    pub cancel: Arc<AtomicBool>,
-    /// Variants computed so far.
-    pub done: usize,
-    /// All variants; 0 before they are known.
-    pub all: usize,
-}
-
-impl RunningStudy {
-    /// A study that begins.
-    #[must_use]
-    pub const fn new(of: StudyOf, cancel: Arc<AtomicBool>) -> Self {
-        Self {
-            of,
-            cancel,
-            done: 0,
-            all: 0,
-        }
-    }
-}
 
 /// Work that needs the variants of the case.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -65,10 +37,6 @@ pub struct LineView {
     pub sweeps: SweepsView,
     /// The results beside the inputs.
     pub results: Vec<QuantityId>,
-    /// A study that computes.
-    pub study: Option<RunningStudy>,
-    /// Cursor among all results.
-    pub result: usize,
     /// The variants of the case, of the text that is named there.
     pub plan: VariantPlan,
     /// True while the variants of a newer text are worked out.
@@ -97,8 +65,6 @@ impl LineView {
             sweeps: SweepsView::default(),
             case,
             results: Vec::new(),
-            study: None,
-            result: 0,
             plan: VariantPlan::default(),
             planning: false,
             planned: None,
@@ -115,32 +81,20 @@ impl LineView {
     pub fn checked_runs(&self, text: &str) -> Vec<(Option<StudyPoint>, Arc<Run>)> {
         // The variants follow when they are worked out.
         if self.plan.text != text {
-            let run = self.complete_run(TextDigest::of_text(text));
-            return run.into_iter().map(|run| (None, run)).collect();
+            let run = self.runs_view.complete_run(TextDigest::of_text(text));
+            return run.into_iter().map(|run| (None, Arc::clone(run))).collect();
         }
         let needed = self.plan.of_published_values().iter();
-        let found = needed.filter_map(|v| Some((v.at.clone(), self.complete_run(v.digest)?)));
+        let found = needed.filter_map(|v| {
+            let run = self.runs_view.complete_run(v.digest)?;
+            Some((v.at.clone(), Arc::clone(run)))
+        });
         found.collect()
     }
 
     /// Whether it has load cases, or sweeps of others are stored.
     fn has_sweeps(&self) -> bool {
         !self.case.load_cases.is_empty() || !self.sweeps.stored.is_empty()
-    }
-
-    /// The newest complete run of exactly this text.
-    fn complete_run(&self, text: TextDigest) -> Option<Arc<Run>> {
-        let live = self.runs_view.live.done.as_ref();
-        let live = live.filter(|_| TextDigest::of_text(&self.runs_view.live.done_text) == text);
-        let entries = self.runs_view.runs.all().iter().rev();
-        let curves = entries
-            .filter(|entry| entry.text == text)
-            .map(|entry| &entry.curves);
-        curves
-            .chain(live)
-            .filter_map(|curves| curves.run.as_ref())
-            .find(|run| run.info.state == RunState::Done)
-            .cloned()
     }
 }
 

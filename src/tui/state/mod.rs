@@ -31,6 +31,7 @@ pub mod section;
 pub mod ship;
 mod status;
 pub mod study_of;
+pub mod study_request;
 pub mod sweep_request;
 pub mod sweep_verdict;
 pub mod sweeps;

@@ -7,11 +7,11 @@ use super::curves::{RunCurves, RunEntry};
 use super::jobs::JobNumber;
 use super::report::ReportRequest;
 use super::run_list::RunList;
-use crate::case::Case;
+use crate::case::{Case, TextDigest};
 use crate::plot_pane::PlotPane;
 use crate::reference::ValidationRow;
 use crate::report::figures::{FIGURES, FigureId};
-use crate::run::Run;
+use crate::run::{Run, RunState};
 
 /// The re-solve after an edit.
 #[derive(Debug, Clone, Default)]
@@ -159,6 +159,21 @@ impl RunsView {
         }
         let run = self.live.done.as_ref()?.run.clone()?;
         Some(("live".to_owned(), run, self.live.kept.clone()))
+    }
+
+    /// The newest complete run of exactly this text.
+    #[must_use]
+    pub fn complete_run(&self, text: TextDigest) -> Option<&Arc<Run>> {
+        let live = self.live.done.as_ref();
+        let live = live.filter(|_| TextDigest::of_text(&self.live.done_text) == text);
+        let entries = self.runs.all().iter().rev();
+        let curves = entries
+            .filter(|entry| entry.text == text)
+            .map(|entry| &entry.curves);
+        curves
+            .chain(live)
+            .filter_map(|curves| curves.run.as_ref())
+            .find(|run| run.info.state == RunState::Done)
     }
 
     /// Takes all runs off the charts.

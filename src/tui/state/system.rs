@@ -8,16 +8,18 @@ use super::runs_view::RunsView;
 use super::sweeps::{NO_LOAD_CASES, SweepsView};
 use super::trials::NO_TRIALS;
 use super::value_check::ValidationTable;
-use crate::case::EditedKey;
+use crate::case::{ChannelId, EditedKey, QuantityId, Statistic, Subject};
 use crate::command::{Command, CommandId, MOVING, REPORTED};
 use crate::facade::FieldRow;
 use crate::pane::PaneId;
 use crate::report::figures::{FigureId, SystemContents};
 use crate::report::subject::ReportSubject;
+use crate::run::Quantity;
 use crate::system::analysis::analyses::Analyses;
+use crate::system::at_rest::readings;
 use crate::system::motion::channels::quantities;
 use crate::system::motion::driving_period::asked_response;
-use crate::system::{SolvedSystem, validation};
+use crate::system::{SolvedSystem, quantities, validation};
 
 /// A system of lines.
 #[derive(Debug, Clone)]
@@ -28,6 +30,8 @@ pub struct SystemView {
     pub analyses: Option<Arc<Analyses>>,
     /// The validation table.
     pub checks: ValidationTable,
+    /// Its results before a run of it is complete, worked out with the analyses.
+    pub expected: Vec<ExpectedResult>,
     /// The view shown: from above, from the side, obliquely.
     pub view: usize,
     /// Its runs in time, and what the panes show of them.
@@ -46,6 +50,7 @@ impl SystemView {
             solved: Arc::new(solved),
             analyses: None,
             checks: ValidationTable::default(),
+            expected: Vec::new(),
             view: 0,
         }
     }
@@ -70,9 +75,8 @@ impl SystemView {
     }
 }
 
-/// The panes of a system that is computed in time and has load cases; the first [`IN_MOTION`] are those of one without, the first
-/// [`AT_REST`] those of one at rest.
-const PANES: [PaneId; 9] = [
+/// The panes of a system that is computed in time and has load cases; the first [`WITHOUT_SWEEPS`] are those of one without.
+const PANES: [PaneId; 10] = [
     PaneId::Inputs,
     PaneId::System,
     PaneId::Tables,
@@ -81,20 +85,55 @@ const PANES: [PaneId; 9] = [
     PaneId::Runs,
     PaneId::Report,
     PaneId::Jobs,
+    PaneId::Results,
     PaneId::Sweep,
 ];
-const IN_MOTION: usize = 8;
-const AT_REST: usize = 4;
+const WITHOUT_SWEEPS: usize = 9;
 
-/// The panes of a system at rest with load cases.
-const SWEPT_AT_REST: [PaneId; 6] = [
+/// The panes of a system at rest with load cases; the first [`AT_REST`] are those of one without.
+const SWEPT_AT_REST: [PaneId; 7] = [
     PaneId::Inputs,
     PaneId::System,
     PaneId::Tables,
     PaneId::Validation,
+    PaneId::Results,
     PaneId::Sweep,
     PaneId::Jobs,
 ];
+const AT_REST: usize = 5;
+
+/// A result that a system at rest has, or that its run will have.
+#[derive(Debug, Clone)]
+pub struct ExpectedResult {
+    /// What identifies it.
+    pub id: QuantityId,
+    /// Its value with its error where no run is to compute it.
+    pub at_rest: Option<Quantity>,
+}
+
+/// The results of a system: at rest as its analyses have them, else the greatest values that its run will have.
+fn expected(solved: &SolvedSystem) -> Vec<ExpectedResult> {
+    let has_runs = solved.file.as_run().is_some();
+    let one = |(channel, value): (ChannelId, f64)| {
+        let name = channel.to_string();
+        let subject = Subject::Channel(channel);
+        if has_runs {
+            return ExpectedResult {
+                id: QuantityId::new(subject, Statistic::Max, None),
+                at_rest: None,
+            };
+        }
+        let id = QuantityId::single(subject);
+        ExpectedResult {
+            at_rest: Some(Quantity {
+                mesh_error: quantities::error(solved, &name),
+                ..Quantity::new(id.clone(), value)
+            }),
+            id,
+        }
+    };
+    readings(solved).into_iter().map(one).collect()
+}
 
 /// The charts of the runs of a system.
 fn figures(solved: &SolvedSystem) -> Vec<FigureId> {
@@ -115,6 +154,7 @@ impl SystemView {
         self.solved = newer.solved;
         self.analyses = newer.analyses;
         self.checks = newer.checks;
+        self.expected = newer.expected;
     }
 }
 
@@ -126,9 +166,9 @@ impl DocumentKind for SystemView {
             source: &self.solved.file.about.source,
             panes: match (self.has_runs(), self.has_sweeps()) {
                 (true, true) => &PANES,
-                (true, false) => &PANES[..IN_MOTION],
+                (true, false) => &PANES[..WITHOUT_SWEEPS],
                 (false, true) => &SWEPT_AT_REST,
-                (false, false) => &PANES[..AT_REST],
+                (false, false) => &SWEPT_AT_REST[..AT_REST],
             },
             first: PaneId::System,
             tabs: &[
@@ -177,6 +217,7 @@ impl DocumentKind for SystemView {
         let mut rows = validation::rows(&self.solved, None);
         validation::set_edited_aside(&mut rows, &self.solved.file, edited);
         self.checks = ValidationTable::new(rows);
+        self.expected = expected(&self.solved);
     }
 
     fn checks(&self) -> Option<&ValidationTable> {

@@ -6,12 +6,13 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use super::jobs::overrides;
 use super::notice::{info, warn};
-use crate::case::stand_alone;
-use crate::msg::{Effect, RunToCompare, StudyRequest};
-use crate::result_lines::{shown_run, solved_run};
-use crate::state::line::RunningStudy;
-use crate::state::study_of::StudyOf;
-use crate::state::{AppState, Document, Overlay, RunEntry};
+use super::results;
+use crate::case::attachments::with_files;
+use crate::msg::{Effect, RunToCompare};
+use crate::result_lines::solved_run;
+use crate::state::study_of::{RunningStudy, StudyOf};
+use crate::state::study_request::StudyRequest;
+use crate::state::{AppState, Overlay, RunEntry};
 use crate::study::points::BaseCase;
 use crate::table::Table;
 
@@ -73,28 +74,26 @@ pub fn why_not_compared(state: &AppState) -> Option<&'static str> {
 /// Varies every input, or leaves out every effect of the scene, and ranks what that does to the result under the cursor.
 pub fn study(state: &mut AppState, of: StudyOf) -> Vec<Effect> {
     let width = width(state);
-    let document = state.document.as_mut();
-    let Some((line, editor)) = document.and_then(Document::line_and_editor) else {
+    let Some(result) = results::at_cursor(state) else {
         return Vec::new();
     };
-    let result = shown_run(line).and_then(|run| run.summary.get(line.result));
-    let Some(result) = result.map(|quantity| quantity.id.clone()) else {
+    let Some(document) = state.document.as_mut() else {
         return Vec::new();
     };
     let cancel = Arc::new(AtomicBool::new(false));
-    if let Some(old) = line
-        .study
-        .replace(RunningStudy::new(of, Arc::clone(&cancel)))
-    {
+    let study = RunningStudy::new(of, Arc::clone(&cancel));
+    if let Some(old) = document.study.replace(study) {
         old.cancel.store(true, Ordering::Relaxed);
     }
+    let (editor, files) = (&document.editor, document.content.files());
     let request = StudyRequest {
         of,
+        kind: document.content.file_type(),
         base: BaseCase {
-            text: stand_alone(&editor.text, &line.case).into_owned(),
+            text: with_files(&editor.text, &files).into_owned(),
             path: editor.path.display().to_string(),
             overrides: overrides(editor),
-            files: line.case.files.clone(),
+            files,
         },
         result,
         width,
@@ -125,7 +124,11 @@ pub fn open_table(state: &mut AppState, title: &str, table: &Table) -> Vec<Effec
 
 /// How far a study is.
 pub(super) fn progress(state: &mut AppState, done: usize, of: usize) -> Vec<Effect> {
-    if let Some(study) = state.line_mut().and_then(|line| line.study.as_mut()) {
+    if let Some(study) = state
+        .document
+        .as_mut()
+        .and_then(|document| document.study.as_mut())
+    {
         (study.done, study.all) = (done, of);
     }
     Vec::new()
@@ -138,8 +141,8 @@ pub(super) fn opened(
     text: Result<String, String>,
     of_study: bool,
 ) -> Vec<Effect> {
-    if of_study && let Some(line) = state.line_mut() {
-        line.study = None;
+    if of_study && let Some(document) = &mut state.document {
+        document.study = None;
     }
     match text {
         Ok(text) => {
@@ -171,7 +174,8 @@ pub fn write(state: &AppState, title: &str, text: &str) -> Vec<Effect> {
 
 /// Stops the study that computes; returns whether there was one.
 pub(super) fn stop(state: &mut AppState) -> bool {
-    let study = state.line_mut().and_then(|line| line.study.take());
+    let document = state.document.as_mut();
+    let study = document.and_then(|document| document.study.take());
     study.is_some_and(|study| {
         study.cancel.store(true, Ordering::Relaxed);
         true

@@ -1,8 +1,9 @@
 //! The results beside the inputs: which, and what they are held against.
 
 use super::notice::info;
+use crate::case::QuantityId;
 use crate::msg::Effect;
-use crate::result_lines::{shown_run, solved_run};
+use crate::result_lines::{listed, solved_run};
 use crate::state::AppState;
 use crate::study::results::main_results;
 
@@ -11,11 +12,10 @@ const MOST: usize = 5;
 
 /// Shows the result under the cursor beside the inputs, or takes it off.
 pub fn choose(state: &mut AppState) -> Vec<Effect> {
-    let Some(line) = state.line_mut() else {
+    let Some(id) = at_cursor(state) else {
         return Vec::new();
     };
-    let found = shown_run(line).and_then(|run| run.summary.get(line.result));
-    let Some(id) = found.map(|quantity| quantity.id.clone()) else {
+    let Some(line) = state.line_mut() else {
         return Vec::new();
     };
     if let Some(at) = line.results.iter().position(|chosen| *chosen == id) {
@@ -31,16 +31,35 @@ pub fn choose(state: &mut AppState) -> Vec<Effect> {
     Vec::new()
 }
 
+/// The result under the cursor.
+pub(super) fn at_cursor(state: &AppState) -> Option<QuantityId> {
+    let document = state.document.as_ref()?;
+    listed(document).into_iter().nth(document.result)
+}
+
 /// Why nothing can be done with a result.
 #[must_use]
 pub fn why_no_result(state: &AppState) -> Option<&'static str> {
-    let none = state.line().is_none_or(|line| shown_run(line).is_none());
-    none.then_some("There is no result yet.")
+    at_cursor(state)
+        .is_none()
+        .then_some("There is no result yet.")
+}
+
+/// Why a result cannot stand beside the inputs.
+#[must_use]
+pub fn why_not_beside(state: &AppState) -> Option<&'static str> {
+    let words =
+        "Only results of a line case, which is solved with every edit, stand beside the inputs.";
+    let other = state.line().is_none().then_some(words);
+    other.or_else(|| why_no_result(state))
 }
 
 /// Why the results cannot be held.
 #[must_use]
 pub fn why_not_held(state: &AppState) -> Option<&'static str> {
+    if state.line().is_none() {
+        return Some("A run of a system is held against in the table of runs.");
+    }
     let coarse = state
         .line()
         .is_some_and(|line| line.runs_view.live.coarse.is_some());

@@ -229,10 +229,9 @@ fn file_panes(
     }
     let [upper, lower] =
         Layout::vertical([Constraint::Fill(shares.0), Constraint::Fill(shares.1)]).areas(right);
-    let below = if focus == PaneId::Validation {
-        focus
-    } else {
-        PaneId::Tables
+    let below = match focus {
+        PaneId::Validation | PaneId::Results => focus,
+        _ => PaneId::Tables,
     };
     vec![(PaneId::Inputs, left), (drawing, upper), (below, lower)]
 }

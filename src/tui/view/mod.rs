@@ -23,8 +23,7 @@ use super::bindings::BoundCommand;
 use super::command::CommandId;
 use super::pane::PaneId;
 use super::panes;
-use super::state::line::RunningStudy;
-use super::state::study_of::StudyOf;
+use super::state::study_of::{RunningStudy, StudyOf};
 use super::state::{AppState, JobPurpose, JobState, Severity};
 use super::theme::Theme;
 use crate::chart::Glyphs;
@@ -145,7 +144,8 @@ impl Painter<'_> {
         let checking = state
             .editor()
             .is_some_and(|editor| !editor.pending.is_empty());
-        let study = state.line().and_then(|line| line.study.as_ref());
+        let study = state.document.as_ref();
+        let study = study.and_then(|document| document.study.as_ref());
         let words = match busy {
             _ if study.is_some() => study_words(room.into(), study),
             _ if checking => fitting(room.into(), &["checking the edit".to_owned()]),

@@ -196,6 +196,23 @@ fn bodies_off_their_section_or_without_a_name_of_their_own() {
 }
 
 #[test]
+fn added_mass_of_a_clump_given_twice() {
+    let clump = "[[clumps]]\nname = \"module\"\nsection = \"upper\"\nat_m = 5.0\nmass_kg = 10.0\nwet_mass_kg = -5.0";
+    let faults = faults(&format!(
+        "{GOOD}\n{clump}\nadded_mass_kg = 5.0\nadded_mass_normal_kg = 8.0\n"
+    ));
+    assert_eq!(faults.len(), 1, "{faults:#?}");
+    let line = u32::try_from(GOOD.lines().count()).unwrap() + 8;
+    assert_fault(
+        &faults[0],
+        (line, 17),
+        "clumps.module.added_mass_kg",
+        "is given beside `added_mass_normal_kg`",
+        "leave it out for added mass across and along the line",
+    );
+}
+
+#[test]
 fn drag_of_a_clump_given_twice() {
     let clump = "[[clumps]]\nname = \"module\"\nsection = \"upper\"\nat_m = 5.0\nmass_kg = 10.0\nwet_mass_kg = -5.0";
     let faults = faults(&format!(

@@ -410,7 +410,7 @@ fn a_named_section_is_divided_renamed_and_moved() {
 
 #[test]
 fn the_clump_of_a_divided_section_stays_at_its_end() {
-    const CLUMP: &str = "clump_kg = 50.0\nclump_mass_kg = 80.0\nclump_drag_area_normal_m2 = 2.0\nclump_drag_area_tangential_m2 = 0.5\nclump_added_mass_kg = 30.0\n";
+    const CLUMP: &str = "clump_kg = 50.0\nclump_mass_kg = 80.0\nclump_drag_area_normal_m2 = 2.0\nclump_drag_area_tangential_m2 = 0.5\nclump_added_mass_normal_kg = 30.0\nclump_added_mass_tangential_kg = 4.0\n";
     let text = SPREAD.replacen("clump_kg = 1500.0\n", CLUMP, 1);
     let schema = SystemFile::schema();
     let rows = several(schema, &text);

@@ -30,6 +30,7 @@ mod ship;
 mod sweeps;
 mod system;
 mod system_runs;
+mod system_studies;
 mod tutorial;
 mod umbilical;
 mod vary;

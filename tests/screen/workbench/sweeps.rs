@@ -294,7 +294,7 @@ fn a_cell_leads_to_its_load_cases_and_to_a_run() {
 fn a_sweep_is_watched_while_it_is_computed() {
     let text = text(LOAD_CASES);
     let mut desk = Desk::with_load_cases(SMALL, &text);
-    desk.keys("9");
+    desk.keys("0");
     assert!(desk.screen().contains("No sweep of this file is stored"));
     let ticket = desk.begins();
     let reads = |desk: &mut Desk| {
@@ -326,7 +326,7 @@ fn a_sweep_is_watched_while_it_is_computed() {
         "{}",
         desk.screen()
     );
-    desk.keys("9 W");
+    desk.keys("0 W");
     assert!(said(&desk).contains("being computed"));
     desk.keys("ctrl+c");
     assert!(has(
@@ -415,7 +415,7 @@ fn a_stored_sweep_is_read_judged_and_followed_to_the_governing_run() {
     desk.type_text("clump mass");
     desk.keys("enter enter ctrl+u");
     desk.type_text("450");
-    desk.keys("enter 9");
+    desk.keys("enter 0");
     assert!(!compared(&mut desk));
     assert!(desk.screen().contains("not of these inputs"));
 }

@@ -57,7 +57,7 @@ impl Desk {
     }
 
     /// Computes the jobs asked for; of each the events up to a time are told, then its end where that is asked for.
-    fn compute(&mut self, until: f64, to_the_end: bool) {
+    pub(crate) fn compute(&mut self, until: f64, to_the_end: bool) {
         for (ticket, request) in self.begun() {
             let dir = PathBuf::from(format!("runs/bridle-{ticket}"));
             self.tell(Msg::Stored(ticket, dir));

@@ -2,7 +2,7 @@
 //!
 //! `F = 1/2 rho ( (C A)_n |u_n| u_n + (C A)_t |u_t| u_t )`, u the velocity of the water relative to the clump, its parts across and along
 //! the direction of the line there ([`NodeDirection`]): the law of the line itself, so that a row of modules drags as a pipe of the same
-//! area by length. Mass, weight and added mass of such clumps are those of any other.
+//! area by length. Mass and weight of such clumps are those of any other.
 
 use crate::case::Case;
 use crate::numerics::lanes;
@@ -62,7 +62,7 @@ impl ClumpDrag {
             first + nodes[..k].iter().filter(|node| **node == nodes[k]).count()
         };
         let clumps: Vec<Aligned> = (case.clumps.iter().enumerate())
-            .filter(|(_, clump)| clump.is_aligned())
+            .filter(|(_, clump)| clump.has_aligned_drag())
             .map(|(k, clump)| Aligned {
                 number: number(k),
                 node: nodes[k],
@@ -85,13 +85,7 @@ impl ClumpDrag {
 impl Aligned {
     fn at(&self, line: &LumpedLine, state: &State) -> DragOnClump {
         let node = self.node;
-        // The rod of a payload that rotates is no part of the line.
-        let [before, after] = [
-            node.checked_sub(1),
-            Some(node).filter(|i| i + 1 < line.line_nodes),
-        ]
-        .map(|segment| segment.map(|i| line.chord(i, state)));
-        let direction = NodeDirection::new(before.as_ref(), after.as_ref());
+        let direction = line.direction_at(node, state);
         let u = line.water_at(node, state) - state.v[node];
         DragOnClump {
             full: self.drag.drag(&direction.d, [&u, &u], 1.0, None),

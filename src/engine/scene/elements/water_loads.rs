@@ -3,7 +3,6 @@
 
 use crate::numerics::lanes::{self, Two, TwoM3};
 use crate::numerics::{BlockBand, M3, V3};
-use crate::physics::added_mass::AddedMass;
 use crate::physics::drag::Drag;
 use crate::physics::tension::Chord;
 use crate::scene::element::{At, Element};
@@ -86,7 +85,7 @@ impl Element for WaterLoads {
                 load,
                 ..
             } = line.body_in_water(number, state);
-            let load = load + hung.body.added.component_mul(&carried) * share;
+            let load = load + line.body_added_mass(number, state).force(&carried) * share;
             let load = load - line.body_lost_in_still_water(number, state);
             *power += load.dot(&state.v[hung.node]);
         }
@@ -128,7 +127,7 @@ impl WetSegment<'_> {
         let (mut by_own, mut by_other) = (M3::zeros(), M3::zeros());
         let mut pressure = V3::zeros();
         if let (Some(here), Some(there)) = (state.wave_flow.get(node), state.wave_flow.get(other)) {
-            by_own -= inertia(added, t, displaced) * here.acceleration_gradient
+            by_own -= added.matrix(t, displaced) * here.acceleration_gradient
                 + one(&self.drag.matrix(&lanes::twice(t))) * here.gradient;
             if let Some(blocks) = self.drag.by_other_velocity() {
                 by_other -= one(&blocks) * there.gradient;
@@ -162,23 +161,16 @@ fn body_by_position(
 ) -> M3 {
     let around = line.body_in_water(number, state);
     let (body, mass) = (&hung.body, water.by_bodies[number]);
+    let added = line.body_added_mass(number, state);
     let mut by_position = M3::zeros();
     let mut pressure = V3::zeros();
     if let Some(flow) = state.wave_flow.get(hung.node) {
-        let moved = M3::from_diagonal(&body.added.add_scalar(mass));
+        let moved = added.matrix_with(mass);
         by_position -=
             moved * flow.acceleration_gradient + body.drag_by_velocity(&around.u) * flow.gradient;
         pressure = flow.acceleration_at(&state.x[hung.node]) * mass;
     }
-    let all = body.added.component_mul(&around.a)
-        - body.drag(&around.u)
-        - pressure
-        - V3::z() * (mass * water.gravity);
+    let all =
+        added.force(&around.a) - body.drag(&around.u) - pressure - V3::z() * (mass * water.gravity);
     by_position * around.share + all * around.by_place.transpose()
-}
-
-/// Added mass and displaced mass as a matrix.
-fn inertia(added: &AddedMass, t: &V3, displaced: f64) -> M3 {
-    let along = t * ((added.tangential - added.normal) * t).transpose();
-    M3::from_diagonal_element(added.normal + displaced) + along
 }

@@ -74,9 +74,14 @@ fn of_body(source: &LineSource<'_>, clump: &Clump) -> Vec<Fault> {
         found.extend(keys.filter_map(|key| source.fault_of_expression(&[table[0], table[1], key])));
         found.extend(source.fault_of_expression(&DENSITY));
     }
-    for key in ["drag_area_normal_m2", "drag_area_tangential_m2"] {
+    for (key, value) in [
+        ("drag_area_normal_m2", clump.drag_area_normal_m2),
+        ("drag_area_tangential_m2", clump.drag_area_tangential_m2),
+        ("added_mass_normal_kg", clump.added_mass_normal_kg),
+        ("added_mass_tangential_kg", clump.added_mass_tangential_kg),
+    ] {
         let path = [table[0], table[1], key];
-        found.extend(source.node(&path).filter(|_| clump.is_aligned()).map(|_| {
+        found.extend(source.node(&path).filter(|_| value > 0.0).map(|_| {
             let problem =
                 "goes with the direction of the line, and that of a point of a system does not";
             source.fault(&path, problem, "hang it on the node before the end")

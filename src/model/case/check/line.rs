@@ -24,14 +24,16 @@ pub(super) fn check(case: &CaseKeys<'_>) -> Vec<Finding> {
     found
 }
 
-/// A drag area that a body has whichever way it is passed, beside those across and along its line.
-pub fn drag_twice<T: KeyValue>(
+/// A drag area or added mass that a body has whichever way it is passed, beside those across and along its line.
+pub fn stated_twice<T: KeyValue>(
+    what: &str,
     all_around: &Key<'_, T>,
     aligned: [&Key<'_, f64>; 2],
 ) -> Option<Finding> {
     let beside = aligned.into_iter().find(|key| key.is_given())?;
     let problem = format!("is given beside `{}`", beside.name());
-    let remedy = "leave it out for drag across and along the line, or leave these two out";
+    let remedy =
+        format!("leave it out for {what} across and along the line, or leave these two out");
     all_around.if_given(problem, remedy)
 }
 
@@ -114,7 +116,9 @@ pub fn of_attachments(
     for (_, clump) in clumps {
         found.extend(line.place(&clump.section, &clump.at_m));
         let aligned = [&clump.drag_area_normal_m2, &clump.drag_area_tangential_m2];
-        found.extend(drag_twice(&clump.drag_area_m2, aligned));
+        found.extend(stated_twice("drag", &clump.drag_area_m2, aligned));
+        let aligned = [&clump.added_mass_normal_kg, &clump.added_mass_tangential_kg];
+        found.extend(stated_twice("added mass", &clump.added_mass_kg, aligned));
     }
     found
 }

@@ -25,7 +25,7 @@ use super::model::CaseKeys;
 
 pub(crate) use checks::is_of_check;
 pub use checks::of_checks;
-pub use line::{CheckedSection, drag_twice, of_attachments};
+pub use line::{CheckedSection, of_attachments, stated_twice};
 pub use load_cases::{of_load_cases, takes_values};
 pub(crate) use load_cases::{variable, varied};
 pub use loads::{

@@ -275,8 +275,14 @@ impl Clump {
 
     /// Whether it has a drag across and along the line, which it is aligned with.
     #[must_use]
-    pub fn is_aligned(&self) -> bool {
+    pub fn has_aligned_drag(&self) -> bool {
         self.drag_area_normal_m2 > 0.0 || self.drag_area_tangential_m2 > 0.0
+    }
+
+    /// Whether it has an added mass across and along the line, which it is aligned with.
+    #[must_use]
+    pub fn has_aligned_added_mass(&self) -> bool {
+        self.added_mass_normal_kg > 0.0 || self.added_mass_tangential_kg > 0.0
     }
 }
 

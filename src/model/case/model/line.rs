@@ -290,6 +290,10 @@ table! {
         drag_area_tangential_m2: f64 = 0.0, "drag area along the line", range of(0.0, 1e6);
         /// Added mass: one number, or along x, y, z.
         added_mass_kg: OneOrMany = 0.0, "added mass", kind NumberOrTriple, range of(0.0, 1e10);
+        /// Added mass across the line, of a module around it and what else is aligned with it; in place of the added mass.
+        added_mass_normal_kg: f64 = 0.0, "added mass across the line", range of(0.0, 1e10);
+        /// The same along the line, that of a module by its ends.
+        added_mass_tangential_kg: f64 = 0.0, "added mass along the line", range of(0.0, 1e10);
         /// Area that bears on the sea bed.
         bed_area_m2: Option<f64>, "area on the bed", range of(0.0, 1e6), absent "the bottom of a cube of its volume";
         /// From the node down to what bears on the bed.

@@ -182,6 +182,7 @@ fn without_body_added_mass(case: &mut Case) {
 pub(super) fn without_added_mass_on_line(clumps: &mut [Clump], floats: &mut [Floats]) {
     for clump in clumps {
         clear(&mut clump.added_mass_kg);
+        (clump.added_mass_normal_kg, clump.added_mass_tangential_kg) = (0.0, 0.0);
     }
     for floats in floats {
         floats.added_mass_kg = 0.0;

@@ -179,7 +179,11 @@ fn without_body_added_mass(system: &mut SystemFile) {
     for point in system.points.values_mut() {
         clear(&mut point.added_mass_kg);
     }
-    sections(system).for_each(|section| clear(&mut section.clump_added_mass_kg));
+    for section in sections(system) {
+        clear(&mut section.clump_added_mass_kg);
+        section.clump_added_mass_normal_kg = 0.0;
+        section.clump_added_mass_tangential_kg = 0.0;
+    }
     for line in &mut system.lines {
         without_added_mass_on_line(&mut line.clumps, &mut line.floats);
     }

@@ -419,6 +419,7 @@ mod tests {
             weight: 0.0,
             drag: one.drag_area * (0.5 * 1025.0),
             added: V3::zeros(),
+            aligned: None,
         };
         let u = V3::new(0.4, -0.9, 0.3);
         let (force, by_flow) = one.drag(1025.0, &u, 1.0);
