@@ -374,11 +374,11 @@ fn a_body_that_travels_parts_the_line() {
 
 #[test]
 fn what_other_views_have_is_a_remark() {
-    let more = "[modes]\ncount = 3\n[[study]]\nname = \"s\"\nkey = \"ends.b.motion\"\nvalues = [\"harmonic\", \"table\"]\n";
+    let more =
+        "[[study]]\nname = \"s\"\nkey = \"ends.b.motion\"\nvalues = [\"harmonic\", \"table\"]\n";
     let notes = file(more).about.notes;
-    let studies = "; studies of keys whose value no key of a system has alone: s.";
+    let studies = "NOT CARRIED OVER: studies of keys whose value no key of a system has alone: s.";
     assert!(notes.contains(studies), "{notes}");
-    assert!(notes.contains("the natural modes of the line"), "{notes}");
 }
 
 /// A fault that shows in the system alone stands at the key of the case.

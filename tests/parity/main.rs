@@ -9,6 +9,7 @@ mod case_as_system;
 mod features;
 mod friction;
 mod line_keys;
+mod modes;
 mod nothing_lost;
 mod one_line;
 mod recorded;

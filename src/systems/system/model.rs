@@ -16,8 +16,8 @@ use crate::case::fields::{Conditions, of, positive};
 use crate::case::schema::{table, words};
 use crate::case::{
     Attachment, CaseInfo, CheckInputs, Clump, Current, Environment, Floats, LoadCaseInputs, Mark,
-    Material, Modules, MotionInterpolation, OneOrMany, Output, PublishedCurve, Seabed, Solver,
-    Start, StatisticsInputs, Study, Trial, Waves,
+    Material, Modes, Modules, MotionInterpolation, OneOrMany, Output, PublishedCurve, Seabed,
+    Solver, Start, StatisticsInputs, Study, Trial, Waves,
 };
 use crate::reference::{PublishedNumber, PublishedTrend};
 
@@ -73,6 +73,8 @@ table! {
         solver: Option<Solver>;
         /// What is recorded and how often.
         output: Output, optional;
+        /// Natural modes about the rest of the system, reported with the results of a run.
+        modes: Option<Modes>;
         /// Files that the system names, carried with it, by their names.
         files: BTreeMap<String, Attachment>;
         /// Where an input comes from when the source does not print it, by key path.

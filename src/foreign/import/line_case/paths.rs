@@ -20,7 +20,7 @@ pub(super) fn translated(source: &LineSource<'_>, path: &str) -> Option<String> 
         ] => Some(path.to_owned()),
         ["seabed", ..] => Some(path.to_owned()),
         ["waves", rest @ ..] => Some(format!("waves.1.{}", rest.join("."))),
-        ["solver", ..] => Some(path.to_owned()),
+        ["solver" | "modes", ..] => Some(path.to_owned()),
         [
             "output",
             "interval_s" | "shape_interval_s" | "response_from_s" | "energy",
