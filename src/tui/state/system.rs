@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use super::document_kind::{DocumentKind, KindInfo};
+use super::modes::ModesView;
 use super::parts::ScreenPart;
 use super::runs_view::RunsView;
 use super::sweeps::{NO_LOAD_CASES, SweepsView};
@@ -34,6 +35,8 @@ pub struct SystemView {
     pub runs_view: RunsView,
     /// The sweeps of its load cases.
     pub sweeps: SweepsView,
+    /// Natural modes.
+    pub modes: ModesView,
 }
 
 impl SystemView {
@@ -43,6 +46,7 @@ impl SystemView {
         Self {
             runs_view: RunsView::new(figures(&solved), false),
             sweeps: SweepsView::default(),
+            modes: ModesView::default(),
             solved: Arc::new(solved),
             analyses: None,
             checks: ValidationTable::default(),
@@ -70,9 +74,8 @@ impl SystemView {
     }
 }
 
-/// The panes of a system that is computed in time and has load cases; the first [`IN_MOTION`] are those of one without, the first
-/// [`AT_REST`] those of one at rest.
-const PANES: [PaneId; 9] = [
+/// The panes of a system that is computed in time and has load cases.
+const SWEPT_IN_MOTION: [PaneId; 10] = [
     PaneId::Inputs,
     PaneId::System,
     PaneId::Tables,
@@ -82,18 +85,40 @@ const PANES: [PaneId; 9] = [
     PaneId::Report,
     PaneId::Jobs,
     PaneId::Sweep,
+    PaneId::Modes,
 ];
-const IN_MOTION: usize = 8;
-const AT_REST: usize = 4;
+
+/// The same without load cases.
+const IN_MOTION: [PaneId; 9] = [
+    PaneId::Inputs,
+    PaneId::System,
+    PaneId::Tables,
+    PaneId::Validation,
+    PaneId::Charts,
+    PaneId::Runs,
+    PaneId::Report,
+    PaneId::Jobs,
+    PaneId::Modes,
+];
 
 /// The panes of a system at rest with load cases.
-const SWEPT_AT_REST: [PaneId; 6] = [
+const SWEPT_AT_REST: [PaneId; 7] = [
     PaneId::Inputs,
     PaneId::System,
     PaneId::Tables,
     PaneId::Validation,
     PaneId::Sweep,
     PaneId::Jobs,
+    PaneId::Modes,
+];
+
+/// The same without load cases.
+const AT_REST: [PaneId; 5] = [
+    PaneId::Inputs,
+    PaneId::System,
+    PaneId::Tables,
+    PaneId::Validation,
+    PaneId::Modes,
 ];
 
 /// The charts of the runs of a system.
@@ -125,10 +150,10 @@ impl DocumentKind for SystemView {
             title: &self.solved.file.about.title,
             source: &self.solved.file.about.source,
             panes: match (self.has_runs(), self.has_sweeps()) {
-                (true, true) => &PANES,
-                (true, false) => &PANES[..IN_MOTION],
+                (true, true) => &SWEPT_IN_MOTION,
+                (true, false) => &IN_MOTION,
                 (false, true) => &SWEPT_AT_REST,
-                (false, false) => &PANES[..AT_REST],
+                (false, false) => &AT_REST,
             },
             first: PaneId::System,
             tabs: &[

@@ -106,7 +106,7 @@ impl Walk {
         for size in [SMALL, LARGE] {
             desk.tell(Msg::Resize(size.0, size.1));
             let numbers = 1..=desk.state.panes().len().max(1);
-            let keys = numbers.map(|number| number.to_string());
+            let keys = numbers.map(|number| (number % 10).to_string());
             for number in keys.chain(["B".to_owned()]) {
                 if desk.state.document.is_some() {
                     desk.keys(&number);
