@@ -21,4 +21,4 @@ pub mod typed_value;
 pub use toml_edit;
 
 pub use diagnostic::{Diagnostic, Finding};
-pub use tree::TomlNode;
+pub use tree::{TomlEntry, TomlNode};

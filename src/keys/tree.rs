@@ -181,6 +181,26 @@ impl TomlNode {
         }
     }
 
+    /// The bytes of all values below, of lists and inline tables as a whole.
+    pub fn value_spans(&self) -> Vec<Range<usize>> {
+        let within = |nodes: Vec<&Self>| nodes.into_iter().flat_map(Self::value_spans).collect();
+        match &self.data {
+            TomlData::Table(TableForm::Lines, entries) => {
+                within(entries.iter().map(|entry| &entry.node).collect())
+            }
+            TomlData::List(items) if items.iter().any(Self::is_under_header) => {
+                within(items.iter().collect())
+            }
+            _ => vec![self.span.clone()],
+        }
+    }
+
+    /// True for a table under a header of its own, or of dotted keys.
+    #[must_use]
+    pub fn is_under_header(&self) -> bool {
+        matches!(self.data, TomlData::Table(TableForm::Lines, _))
+    }
+
     /// The value at a key path. Elements of lists of tables go by their name (or, for floats, their
     /// section), or by their number from 1; those of lists of numbers by the letter of their axis.
     pub fn find<S: AsRef<str>>(&self, path: &[S]) -> Option<&Self> {

@@ -711,8 +711,57 @@ fn published_values_of_lines_hold_for_their_systems() {
     ];
     let found = cases().filter(|(name, _)| quick.contains(name));
     let found: Vec<(usize, usize)> = found.map(|(name, text)| published(name, text)).collect();
-    assert_eq!(found.iter().map(|(_, all)| all).sum::<usize>(), 87);
+    assert_eq!(found.iter().map(|(_, all)| all).sum::<usize>(), 133);
     assert!(found.iter().all(|(passed, all)| passed == all), "{found:?}");
+}
+
+/// Comments of a text, without the marks that begin them.
+fn comments(text: &str) -> Vec<&str> {
+    let behind = text.lines().filter_map(|line| line.split_once('#'));
+    let words = behind.map(|(_, comment)| comment.trim());
+    words.filter(|comment| !comment.is_empty()).collect()
+}
+
+/// Nothing of what a user wrote beside the keys is lost, nor where the numbers come from.
+#[test]
+fn comments_and_marks_are_kept() {
+    let (mut of_lines, mut marks, mut kept) = (0, 0, 0);
+    for (name, text) in cases() {
+        let Ok(system) = converted(name, text) else {
+            continue;
+        };
+        let own = comments(&system);
+        let lost: Vec<&str> = comments(text)
+            .into_iter()
+            .filter(|one| !own.iter().any(|of| of.ends_with(one)))
+            .collect();
+        assert!(lost.is_empty(), "{name}: {lost:?}");
+        of_lines += comments(text).len();
+        let count = |text: &str| {
+            let table: toml::Table = toml::from_str(text).unwrap();
+            table
+                .get("marks")
+                .map_or(0, |marks| marks.as_table().unwrap().len())
+        };
+        marks += count(text);
+        kept += count(&system);
+    }
+    assert_eq!((of_lines, marks, kept), (338, 323, 316));
+}
+
+#[test]
+fn comments_stand_where_they_did() {
+    let name = "basics/hanging_line.toml";
+    let (_, text) = cases().find(|(shipped, _)| *shipped == name).unwrap();
+    let system = converted(name, text).unwrap();
+    let of = |words: &str| system.lines().find(|line| line.contains(words)).unwrap();
+    assert!(system.starts_with("# The simplest case"), "{system}");
+    assert!(
+        of("wet_weight_kg_per_m").ends_with("# may be left out: then mass less displaced water")
+    );
+    assert!(of("500 m and a stretch").starts_with("value = -502.561987"));
+    let above = system.split("[[published]]").next().unwrap();
+    assert!(above.ends_with("prints them as a table.\n\n"), "{above}");
 }
 
 /// What is refused, by its place and key.

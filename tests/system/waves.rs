@@ -220,3 +220,44 @@ fn swell_and_spread_wind_sea_have_the_height_of_both() {
     // Over a minute alone: of the size of 2.5 m significant.
     assert!((0.3..1.0).contains(&rms), "{rms}");
 }
+
+/// A line between two held points in a wave, with this gauge.
+fn gauged(gauge: &str) -> String {
+    format!(
+        "[environment]\nwater_density_kg_per_m3 = 1025.0
+        [[waves]]\nkind = \"regular\"\nheight_m = 2.0\nperiod_s = 8.0\n{gauge}{SOFT}
+        [points.anchor]\nkind = \"fixed\"\nposition_m = [30.0, 0.0, -5.0]
+        [points.buoy]\nkind = \"fixed\"\nposition_m = [0.0, 0.0, -5.0]
+        [[lines]]\nname = \"soft\"\nfrom = \"anchor\"\nto = \"buoy\"\nmaterial = \"soft\"\nlength_m = 29.0\nsegments = 6
+        {}",
+        solver(4.0, 0.1, 0.1)
+    )
+}
+
+#[test]
+fn waves_are_recorded_over_a_point() {
+    let elevation = |gauge: &str| {
+        let run = moved(&gauged(gauge));
+        channel(&run, "wave_elevation_m[gauge]").to_vec()
+    };
+    let over = elevation("gauge_over = \"anchor\"");
+    assert_eq!(over, elevation("gauge_m = [30.0, 0.0]"));
+    assert_ne!(over, elevation("gauge_m = [0.0, 0.0]"));
+}
+
+#[test]
+fn a_gauge_over_nothing_is_refused() {
+    for (gauge, problem) in [
+        ("gauge_over = \"anker\"", "anchor"),
+        (
+            "gauge_over = \"anchor\"\ngauge_m = [0.0, 0.0]",
+            "two places",
+        ),
+    ] {
+        let message = refused(&gauged(gauge));
+        assert!(
+            message.contains("gauge_over") && message.contains(problem),
+            "{message}"
+        );
+    }
+}

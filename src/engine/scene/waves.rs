@@ -57,9 +57,12 @@ pub(super) fn water(
 
 /// Position of the wave gauge.
 fn gauge(case: &Case) -> V3 {
-    let given = case.waves.as_ref().and_then(|waves| waves.gauge_m);
-    let ends = [&case.ends.b, &case.ends.a];
-    let end = || ends.into_iter().find_map(|end| end.position_m);
+    let waves = case.waves.as_ref();
+    let given = waves.and_then(|waves| waves.gauge_m);
+    let over = waves.and_then(|waves| waves.gauge_over.as_ref());
+    let ends = [&case.ends.b, &case.ends.a].into_iter();
+    let mut ends = ends.filter(|end| over.is_none_or(|over| *over == end.name));
+    let mut end = || ends.find_map(|end| end.position_m);
     let [x, y] = given
         .or_else(|| end().map(|[x, y, _]| [x, y]))
         .unwrap_or_default();

@@ -77,11 +77,11 @@ pub use write::write;
 // What another kind of file needs to be read, checked and complained about in the same way.
 pub use check::{
     BedShapeKeys, CheckedSection, FrictionKeys, drag_twice, increasing, of_attachments, of_checks,
-    of_companions, of_current, of_line_start, of_load_cases, of_longest_step, of_material,
-    of_published_curves, of_result, of_studies, of_study, of_study_point, of_trials, of_waves,
-    of_window, takes_values, too_many_rows, too_many_steps, two_others,
+    of_companions, of_current, of_gauge, of_line_start, of_load_cases, of_longest_step,
+    of_material, of_published_curves, of_result, of_studies, of_study, of_study_point, of_trials,
+    of_waves, of_window, takes_values, too_many_rows, too_many_steps, two_others,
 };
 pub use fields::{is_name, join, nearest, split};
 
 pub use seacable_keys::check::{unknown, unknown_name, used_twice};
-pub use tree::TomlNode;
+pub use tree::{TomlEntry, TomlNode};

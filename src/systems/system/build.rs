@@ -64,7 +64,11 @@ pub fn build(given: &SystemFile, aged: &AgedParts) -> Result<Network, (String, S
     let sea = sea_of(file);
     network.bodies = bodies((given, file), &network, sea.as_ref());
     network.sea = sea;
-    let gauge = file.waves.iter().find_map(|waves| waves.gauge_m);
+    let over = |name: &String| file.points.get(name)?.position_m;
+    let gauge = file.waves.iter().find_map(|waves| {
+        let over = waves.gauge_over.as_ref().and_then(over);
+        waves.gauge_m.or(over.map(|[x, y, _]| [x, y]))
+    });
     network.records_uplift = file.output.uplift;
     network.records_forces = file.output.forces == Some(true);
     network.records_energy = file.output.energy;

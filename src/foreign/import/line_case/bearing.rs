@@ -32,6 +32,6 @@ pub(super) fn write(system: &mut CaseText<'_>, source: &LineSource<'_>, table: &
     }
     if let Some(node) = source.node(&["seabed", "friction"]) {
         let value = value_of(source, node);
-        system.given("bed_friction", &value, &node.span, "seabed.friction");
+        system.given("bed_friction", &value, &node.span, "");
     }
 }

@@ -2,7 +2,7 @@
 
 use super::source::LineSource;
 use crate::case::{EndKind, MotionName, OneOrMany, TomlNode};
-use crate::import::to_case::case_text::{CaseText, number, text};
+use crate::import::to_case::case_text::{CaseText, block, number, text};
 
 /// Copies a table of the case, where it has it.
 pub(super) fn copy(system: &mut CaseText<'_>, source: &LineSource<'_>, table: &str) {
@@ -69,17 +69,9 @@ pub(super) fn coefficient(
     }
 }
 
-/// A value as the case writes it, on one line.
+/// A value as the case writes it.
 pub(super) fn value_of(source: &LineSource<'_>, node: &TomlNode) -> String {
-    let each = |item: &TomlNode| value_of(source, item);
-    if node.is_list() {
-        let items: Vec<String> = node.items().iter().map(each).collect();
-        return format!("[{}]", items.join(", "));
-    }
-    match node.text() {
-        Some(words) => text(words),
-        None => source.text[node.span.clone()].to_owned(),
-    }
+    source.text[node.span.clone()].to_owned()
 }
 
 /// A key as a header or a row writes it: between quotes unless it is bare.
@@ -117,7 +109,7 @@ pub(super) fn files(system: &mut CaseText<'_>, source: &LineSource<'_>) {
         let is_named = |one: &&&String| **one == name || format!("{one}.toml") == *name;
         if named.iter().any(|one| is_named(&one)) {
             system.table(&format!("[files.{}]", text(name)), None);
-            system.line(&format!("text = {}", text(&file.text)), None);
+            system.line(&format!("text = {}", block(&file.text)), None);
         }
     }
 }

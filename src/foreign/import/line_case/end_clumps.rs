@@ -2,13 +2,12 @@
 
 use super::bearing;
 use super::copied::{coefficient, value_of};
-use super::payload::lift_in_air;
 use super::places::at_end;
 use super::published::reads_forces;
-use super::source::{DENSITY, GRAVITY, LETTERS, LineSource};
+use super::source::{DENSITY, LETTERS, LineSource};
 use crate::case::{Clump, End, EndKind};
 use crate::import::fault::Fault;
-use crate::import::to_case::case_text::{CaseText, number};
+use crate::import::to_case::case_text::CaseText;
 use crate::scene::clump_bed_area;
 
 /// The names of clumps on held ends, which a system leaves out.
@@ -59,7 +58,7 @@ fn on_held(source: &LineSource<'_>, end: &End) -> Option<(&'static str, &'static
     ))
 }
 
-/// Weight, volume and contact of a clump that a free point cannot state.
+/// Weight and contact of a clump that a free point cannot state.
 fn of_body(source: &LineSource<'_>, clump: &Clump) -> Vec<Fault> {
     let table = ["clumps", clump.name.as_str()];
     let mut found = Vec::new();
@@ -69,6 +68,11 @@ fn of_body(source: &LineSource<'_>, clump: &Clump) -> Vec<Fault> {
         &table,
         (clump.mass_kg, clump.wet_mass_kg),
     ));
+    if bears_by_mass(source, clump) {
+        let keys = ["mass_kg", "wet_mass_kg"].into_iter();
+        found.extend(keys.filter_map(|key| source.fault_of_expression(&[table[0], table[1], key])));
+        found.extend(source.fault_of_expression(&DENSITY));
+    }
     for key in ["drag_area_normal_m2", "drag_area_tangential_m2"] {
         let path = [table[0], table[1], key];
         found.extend(source.node(&path).filter(|_| clump.is_aligned()).map(|_| {
@@ -80,33 +84,30 @@ fn of_body(source: &LineSource<'_>, clump: &Clump) -> Vec<Fault> {
     found
 }
 
+/// Whether the area of a clump on the bed follows from what it displaces.
+pub(super) fn bears_by_mass(source: &LineSource<'_>, clump: &Clump) -> bool {
+    source.case.seabed.is_some() && clump.bed_area_m2.is_none()
+}
+
 /// Mass and weight in water of a body, as masses \[kg\], that a free point cannot state.
 pub(super) fn of_weight(
     source: &LineSource<'_>,
     table: &[&str],
     (mass, wet): (f64, f64),
-) -> Vec<Fault> {
-    let at = |key| [table, &[key]].concat();
-    let keys = ["mass_kg", "wet_mass_kg"].into_iter();
-    let mut found: Vec<Fault> = keys
-        .filter_map(|key| source.fault_of_expression(&at(key)))
-        .collect();
-    found.extend(source.fault_of_expression(&DENSITY));
+) -> Option<Fault> {
     let in_air = source.case.environment.water_density_kg_per_m3 == 0.0;
-    if in_air {
-        found.extend(source.fault_of_expression(&GRAVITY));
-    } else if wet > mass {
+    (wet > mass && !in_air).then(|| {
         let problem =
             "is more than the mass in air, and a point of a system displaces no less than nothing";
-        found.push(source.fault(&at("wet_mass_kg"), problem, "give the mass or less"));
-    }
-    found
+        let key = [table, &["wet_mass_kg"]].concat();
+        source.fault(&key, problem, "give the mass or less")
+    })
 }
 
 /// Writes the clump of a free end.
 pub(super) fn write(system: &mut CaseText<'_>, source: &LineSource<'_>, clump: &Clump) {
     let table = ["clumps", clump.name.as_str()];
-    write_weight(system, source, &table, (clump.mass_kg, clump.wet_mass_kg));
+    write_weight(system, source, &table);
     for (key, value) in [
         ("drag_area_m2", &clump.drag_area_m2),
         ("added_mass_kg", &clump.added_mass_kg),
@@ -117,23 +118,11 @@ pub(super) fn write(system: &mut CaseText<'_>, source: &LineSource<'_>, clump: &
     bearing::write(system, source, &table, area);
 }
 
-/// Writes mass and volume of a point by its mass and its weight in water, as masses \[kg\].
-pub(super) fn write_weight(
-    system: &mut CaseText<'_>,
-    source: &LineSource<'_>,
-    table: &[&str],
-    (mass, wet): (f64, f64),
-) {
-    let node = |key| source.node(&[table, &[key]].concat());
-    if let Some(own) = node("mass_kg") {
-        system.given("mass_kg", &value_of(source, own), &own.span, "");
+/// Writes the mass of a point and that which weighs as much as it does in water.
+pub(super) fn write_weight(system: &mut CaseText<'_>, source: &LineSource<'_>, table: &[&str]) {
+    for key in ["mass_kg", "wet_mass_kg"] {
+        if let Some(own) = source.node(&[table, &[key]].concat()) {
+            system.given(key, &value_of(source, own), &own.span, "");
+        }
     }
-    let density = source.case.environment.water_density_kg_per_m3;
-    let displaced = mass - wet;
-    if let Some(wet) = node("wet_mass_kg").filter(|_| density > 0.0 && displaced != 0.0) {
-        let why = "mass_kg less wet_mass_kg, by the density of the water";
-        system.given("volume_m3", &number(displaced / density), &wet.span, why);
-    }
-    let span = source.span(&[table, &["wet_mass_kg"]].concat());
-    lift_in_air(system, source, displaced, span);
 }

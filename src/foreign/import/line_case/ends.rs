@@ -111,30 +111,25 @@ fn on_vessel(system: &mut CaseText<'_>, source: &LineSource<'_>, letter: &str, e
     copy(system, source, letter, &["position_m"]);
     let at = |key| source.node(&["ends", letter, key]);
     if let Some(node) = at("heading_deg") {
-        system.given(
-            "yaw_deg",
-            &value_of(source, node),
-            &node.span,
-            "heading_deg",
-        );
+        system.given("yaw_deg", &value_of(source, node), &node.span, "");
     }
     if let Some(node) = at("motion_file") {
-        system.given(
-            "response_file",
-            &value_of(source, node),
-            &node.span,
-            "motion_file",
-        );
+        system.given("response_file", &value_of(source, node), &node.span, "");
     }
     if let Some(node) = at("hang_point_m") {
         let back = end.hang_point_m.map(|part| 0.0 - part);
-        system.given("response_at_m", &numbers(&back), &node.span, "hang_point_m");
+        system.given("response_at_m", &numbers(&back), &node.span, "");
     }
     copy(system, source, letter, &["ramp_s"]);
 }
 
+/// Whether an end is on a vessel, which of a system in time is a body.
+pub(super) fn is_on_vessel(source: &LineSource<'_>, end: &End) -> bool {
+    source.is_in_time() && end.kind == EndKind::Moving && end.motion == MotionName::Vessel
+}
+
 /// The body that an end on a vessel is on.
-fn vessel_name(end: &End) -> String {
+pub(super) fn vessel_name(end: &End) -> String {
     format!("vessel-at-{}", end.name)
 }
 
@@ -151,7 +146,9 @@ fn table(system: &mut CaseText<'_>, source: &LineSource<'_>, letter: &str) {
 fn free(system: &mut CaseText<'_>, source: &LineSource<'_>, letter: &str, end: &End) {
     system.line("kind = \"free\"", source.span(&["ends", letter, "kind"]));
     let (place, why) = begins_at(source, letter);
-    system.assumed("position_m", &numbers(&place), why);
+    if !start::follows_from_length(source) {
+        system.assumed("position_m", &numbers(&place), why);
+    }
     if start::is_moving(source)
         && let Some(node) = source.node(&["start", "velocity_m_per_s"])
     {

@@ -97,7 +97,7 @@ fn held(system: &mut CaseText<'_>, source: &LineSource<'_>, letter: &str) {
 /// A key that has another name in the case.
 fn given(system: &mut CaseText<'_>, source: &LineSource<'_>, path: &[&str], key: &str) {
     if let Some(node) = source.node(path) {
-        system.given(key, &value_of(source, node), &node.span, &path.join("."));
+        system.given(key, &value_of(source, node), &node.span, "");
     }
 }
 

@@ -6,11 +6,13 @@
 
 mod bearing;
 mod channels;
+mod comments;
 mod copied;
 mod end_clumps;
 mod ends;
 mod line;
 mod lines;
+mod marks;
 mod paths;
 mod payload;
 mod places;
@@ -32,7 +34,7 @@ use self::source::LineSource;
 use self::trials::CarriedTrials;
 use super::fault::{self, Fault};
 use super::imported::Imported;
-use super::to_case::case_text::{CaseText, text};
+use super::to_case::case_text::{CaseText, block, text};
 use crate::case::{self, Diagnostic};
 use crate::kinds::FileType;
 use crate::visible;
@@ -53,7 +55,10 @@ pub fn read(case_text: &str, path: &Path) -> Result<Imported, Vec<Diagnostic>> {
     let case = case::parse_of(case_text, path)?;
     let file = visible::path(path);
     let source = LineSource::new(case_text, case);
-    system_of(&source).map_err(|faults| fault::diagnostics(faults, &file, case_text))
+    let mut imported =
+        system_of(&source).map_err(|faults| fault::diagnostics(faults, &file, case_text))?;
+    comments::put(&mut imported, &source);
+    Ok(imported)
 }
 
 fn system_of(source: &LineSource<'_>) -> Result<Imported, Vec<Fault>> {
@@ -104,32 +109,21 @@ fn materials(system: &mut CaseText<'_>, source: &LineSource<'_>) {
 
 /// The table `[system]`: what the case is, and what of it is not carried over.
 fn head(system: &mut CaseText<'_>, source: &LineSource<'_>, trials: &CarriedTrials) {
-    system.line(
-        "# A case of one line, as a system; comments name its rows.",
-        None,
-    );
-    system.table("[system]", source.span(&["case"]));
-    let about = &source.case.case;
-    system.line(
-        &format!("title = {}", text(&about.title)),
-        source.span(&["case", "title"]),
-    );
-    if !about.source.is_empty() {
-        system.line(&format!("source = {}", text(&about.source)), None);
+    let Some(node) = source.node(&["case"]) else {
+        return;
+    };
+    system.table("[system]", Some(&node.span));
+    let mut notes = unused::remarks(source, trials).join(" ");
+    for entry in node.entries() {
+        let mut value = copied::value_of(source, &entry.node);
+        if entry.key == "notes" && !notes.is_empty() {
+            let own = source.case.case.notes.trim();
+            let between = if own.contains('\n') { "\n" } else { " " };
+            value = block(&format!("{own}{between}{}", std::mem::take(&mut notes)));
+        }
+        system.given(&entry.key, &value, &entry.node.span, "");
     }
-    if let Some((beside, node)) = about.beside.as_ref().zip(source.node(&["case", "beside"])) {
-        let names: Vec<String> = beside.iter().map(|name| text(name)).collect();
-        system.given("beside", &format!("[{}]", names.join(", ")), &node.span, "");
-    }
-    let mut notes = Vec::new();
-    if !about.notes.is_empty() {
-        notes.push(about.notes.trim().to_owned());
-    }
-    notes.extend(unused::remarks(source, trials));
     if !notes.is_empty() {
-        system.line(&format!("notes = {}", text(&notes.join(" "))), None);
-    }
-    if let Some(reason) = &about.tolerance_reason {
-        system.line(&format!("tolerance_reason = {}", text(reason)), None);
+        system.line(&format!("notes = {}", text(&notes)), None);
     }
 }

@@ -1,11 +1,12 @@
 //! Key paths of a case by the paths that its system has them at.
 
 use super::bearing::bears_by_volume;
+use super::end_clumps::bears_by_mass;
+use super::ends;
 use super::lines::{line_at, line_of};
 use super::places::{end_of, on_free_end};
 use super::source::{LETTERS, LineSource};
-use super::start;
-use crate::case::{Case, EndKind, LineEnd, MotionName, Payload, split};
+use crate::case::{Case, Clump, EndKind, LineEnd, MotionName, Payload, split};
 
 /// The key path of the system whose value is that of a key of the case; nothing where no key of the system is.
 pub(super) fn translated(source: &LineSource<'_>, path: &str) -> Option<String> {
@@ -13,7 +14,6 @@ pub(super) fn translated(source: &LineSource<'_>, path: &str) -> Option<String> 
     let parts: Vec<&str> = parts.iter().map(String::as_str).collect();
     match parts.as_slice() {
         ["environment", "water_density_kg_per_m3"] if is_derived_by_density(source) => None,
-        ["environment", "gravity_m_per_s2"] if has_lift_in_air(source) => None,
         [
             "parameters" | "environment" | "current" | "statistics" | "materials",
             ..,
@@ -37,35 +37,22 @@ pub(super) fn translated(source: &LineSource<'_>, path: &str) -> Option<String> 
 
 /// Whether a number of the system was computed by the density of the water.
 fn is_derived_by_density(source: &LineSource<'_>) -> bool {
-    let payload = source.case.payload.as_ref();
-    let by_shape = |payload: &Payload| payload.shape.is_some() && payload.added_mass_kg.is_none();
-    payload.is_some_and(|payload| payload.wet_mass_kg.is_some() || by_shape(payload))
-        || LETTERS
-            .iter()
-            .any(|letter| on_free_end(source, letter).is_some())
-        || source.case.traveller.is_some()
-}
-
-/// Whether a load was computed by gravity: of a body in air that weighs another than its mass.
-fn has_lift_in_air(source: &LineSource<'_>) -> bool {
-    let case = &source.case;
-    let payload = case.payload.iter();
-    let mut payload = payload.filter_map(|one| Some((one.dry_mass_kg, one.wet_mass_kg?)));
-    let mut clumps = case.clumps.iter().map(|one| (one.mass_kg, one.wet_mass_kg));
-    let differs = |(mass, wet): (f64, f64)| mass != wet;
-    let travellers = case.traveller.iter();
-    let mut travellers = travellers.map(|one| (one.mass_kg, one.wet_mass_kg));
-    let is_lifted = payload.any(differs) || clumps.any(differs) || travellers.any(differs);
-    case.environment.water_density_kg_per_m3 == 0.0 && is_lifted
+    let derives = |payload: &Payload| {
+        let by_shape = payload.shape.is_some() && payload.added_mass_kg.is_none();
+        let by_mass = payload.rotation.is_some() || bears_by_volume(source, payload);
+        by_shape || (payload.wet_mass_kg.is_some() && by_mass)
+    };
+    let mut clumps = LETTERS
+        .iter()
+        .filter_map(|letter| on_free_end(source, letter));
+    source.case.payload.as_ref().is_some_and(derives)
+        || clumps.any(|clump| bears_by_mass(source, clump))
 }
 
 fn of_section(source: &LineSource<'_>, section: &str, key: &str) -> Option<String> {
     let line = line_of(&source.case, section, LineEnd::A)?;
     let mut own = line.sections.iter().filter(|own| own.of.name == section);
     own.next().filter(|own| own.part.is_none())?;
-    if key == "length_m" && start::follows_from_length(source) {
-        return None;
-    }
     let name = line.name;
     Some(match line.is_one() {
         true => format!("lines.{name}.{key}"),
@@ -81,7 +68,10 @@ fn of_attached(source: &LineSource<'_>, (table, name): (&str, &str), key: &str) 
     let own = match table {
         "clumps" => {
             let clump = case.clumps.iter().find(|clump| clump.name == name)?;
-            end_of(case, clump).is_none().then(|| name.to_owned())?
+            match end_of(case, clump) {
+                None => name.to_owned(),
+                Some(letter) => return of_end_clump(source, (letter, clump), key),
+            }
         }
         _ if !line.is_one() => name.to_owned(),
         _ => {
@@ -91,6 +81,24 @@ fn of_attached(source: &LineSource<'_>, (table, name): (&str, &str), key: &str) 
         }
     };
     Some(format!("lines.{}.{table}.{own}.{key}", line.name))
+}
+
+/// A key of the clump that is the body of a free end, where nothing else of the system follows from it.
+fn of_end_clump(
+    source: &LineSource<'_>,
+    (letter, clump): (&str, &Clump),
+    key: &str,
+) -> Option<String> {
+    on_free_end(source, letter)?;
+    let keys = ["mass_kg", "wet_mass_kg", "drag_area_m2", "added_mass_kg"];
+    let by_mass = bears_by_mass(source, clump) && keys[..2].contains(&key);
+    let ends = &source.case.ends;
+    let name = if letter == LETTERS[0] {
+        &ends.a.name
+    } else {
+        &ends.b.name
+    };
+    (keys.contains(&key) && !by_mass).then(|| format!("points.{name}.{key}"))
 }
 
 /// The section that floats, modules or a clump are on, by the name of their table.
@@ -108,8 +116,8 @@ fn section_of<'c>(source: &'c LineSource<'_>, (table, name): (&str, &str)) -> Op
 }
 
 fn of_end(source: &LineSource<'_>, letter: &str, key: &str, axis: &[&str]) -> Option<String> {
-    let ends = &source.case.ends;
-    let end = if letter == "a" { &ends.a } else { &ends.b };
+    let both = &source.case.ends;
+    let end = if letter == "a" { &both.a } else { &both.b };
     let of_point = [
         "amplitude_m",
         "period_s",
@@ -117,11 +125,16 @@ fn of_end(source: &LineSource<'_>, letter: &str, key: &str, axis: &[&str]) -> Op
         "ramp_s",
         "position_m",
     ];
-    let waves = source.case.waves.as_ref();
-    let moves_gauge = waves.is_some_and(|waves| waves.gauge_m.is_none());
-    let moves_more = key == "position_m" && (moves_gauge || start::follows_from_length(source));
-    if of_point.contains(&key) && end.kind.is_held() && !moves_more {
-        let path = [&["points", &*end.name, key], axis].concat();
+    // At rest a moving end is held where its motion begins.
+    let is_put = end.kind == EndKind::Moving && !source.is_in_time();
+    let is_put = is_put && (key != "position_m" || ends::moves_at_rest(source, end));
+    if of_point.contains(&key) && end.kind.is_held() && !is_put {
+        let vessel = ends::vessel_name(end);
+        let part = match ends::is_on_vessel(source, end) {
+            true => ["bodies", &*vessel, key],
+            false => ["points", &*end.name, key],
+        };
+        let path = [&part, axis].concat();
         return Some(path.join("."));
     }
     let by_table = end.kind == EndKind::Moving && end.motion == MotionName::Table;
@@ -158,20 +171,21 @@ fn of_suction(source: &LineSource<'_>, payload: &Payload, key: &str) -> Option<S
     acts.then(|| format!("points.{name}.{key}"))
 }
 
-/// A key of the payload; its mass where its volume does not follow from that.
+/// A key of the payload, where nothing else of the system follows from it.
 fn of_payload(source: &LineSource<'_>, key: &str) -> Option<String> {
     let payload = source.case.payload.as_ref()?;
-    let own = match key {
-        "dry_mass_kg" if payload.wet_mass_kg.is_none() => "mass_kg",
-        "volume_m3" if payload.wet_mass_kg.is_none() && !bears_by_volume(source, payload) => {
-            "volume_m3"
-        }
-        "breakout_n" | "breakout_distance_m" => return of_suction(source, payload, key),
+    let name = &source.case.ends.b.name;
+    let by_volume = bears_by_volume(source, payload);
+    let wet = payload.wet_mass_kg.is_some();
+    let (table, own) = match (key, payload.rotation.is_some()) {
+        ("breakout_n" | "breakout_distance_m", _) => return of_suction(source, payload, key),
+        ("dry_mass_kg", true) if !wet => ("bodies", "mass_kg"),
+        ("volume_m3", true) if !wet => ("bodies", key),
+        ("dry_mass_kg", false) if !(wet && by_volume) => ("points", "mass_kg"),
+        ("wet_mass_kg", false) if wet && !by_volume => ("points", key),
+        ("volume_m3", false) if !wet && !by_volume => ("points", key),
+        ("drag_area_m2" | "added_mass_kg", false) => ("points", key),
         _ => return None,
     };
-    let table = match payload.rotation {
-        Some(_) => "bodies",
-        None => "points",
-    };
-    Some(format!("{table}.{}.{own}", source.case.ends.b.name))
+    Some(format!("{table}.{name}.{own}"))
 }

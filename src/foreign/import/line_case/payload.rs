@@ -1,10 +1,9 @@
 //! The payload as a free point, and what of it a system cannot state.
 
-use std::ops::Range;
-
 use super::bearing::{self, bears_by_volume};
 use super::copied::{coefficient, value_of};
-use super::source::{DENSITY, GRAVITY, LineSource};
+use super::end_clumps::of_weight;
+use super::source::{DENSITY, LineSource};
 use super::turning_payload;
 use crate::case::{OneOrMany, Payload};
 use crate::import::fault::Fault;
@@ -40,24 +39,27 @@ fn derived(source: &LineSource<'_>, payload: &Payload) -> Vec<Fault> {
     found
 }
 
-/// A volume that does not follow, or from expressions.
+/// A volume that does not follow, or from expressions: of a body, and of what bears on the bed by it.
 fn volume(source: &LineSource<'_>, payload: &Payload) -> Vec<Fault> {
     let mut found = Vec::new();
     let Some(wet) = payload.wet_mass_kg else {
         return found;
     };
-    for key in ["wet_mass_kg", "dry_mass_kg"] {
-        found.extend(source.fault_of_expression(&["payload", key]));
-    }
-    found.extend(source.fault_of_expression(&DENSITY));
-    let in_air = source.case.environment.water_density_kg_per_m3 == 0.0;
-    if in_air && wet != payload.dry_mass_kg {
-        found.extend(source.fault_of_expression(&GRAVITY));
-        if payload.rotation.is_some() {
-            let problem = "differs from the dry mass where there is no water";
-            let remedy = "give the density of the water, or the dry mass";
-            found.push(source.fault(&["payload", "wet_mass_kg"], problem, remedy));
+    let turns = payload.rotation.is_some();
+    if turns || bears_by_volume(source, payload) {
+        for key in ["wet_mass_kg", "dry_mass_kg"] {
+            found.extend(source.fault_of_expression(&["payload", key]));
         }
+        found.extend(source.fault_of_expression(&DENSITY));
+    }
+    let in_air = source.case.environment.water_density_kg_per_m3 == 0.0;
+    if turns && in_air && wet != payload.dry_mass_kg {
+        let problem = "differs from the dry mass where there is no water";
+        let remedy = "give the density of the water, or the dry mass";
+        found.push(source.fault(&["payload", "wet_mass_kg"], problem, remedy));
+    }
+    if !turns {
+        found.extend(of_weight(source, &["payload"], (payload.dry_mass_kg, wet)));
     }
     found
 }
@@ -67,12 +69,7 @@ pub(super) fn write_volume(system: &mut CaseText<'_>, source: &LineSource<'_>, p
     if payload.wet_mass_kg.is_none()
         && let Some(node) = source.node(&["payload", "volume_m3"])
     {
-        system.given(
-            "volume_m3",
-            &value_of(source, node),
-            &node.span,
-            "volume_m3",
-        );
+        system.given("volume_m3", &value_of(source, node), &node.span, "");
     }
     let density = source.case.environment.water_density_kg_per_m3;
     if let Some(wet) = payload.wet_mass_kg
@@ -119,17 +116,11 @@ pub(super) fn hydrodynamics(source: &LineSource<'_>, payload: &Payload) -> Hydro
 pub(super) fn write(system: &mut CaseText<'_>, source: &LineSource<'_>, payload: &Payload) {
     if let Some(node) = source.node(&["payload", "dry_mass_kg"]) {
         let mass = value_of(source, node);
-        system.given("mass_kg", &mass, &node.span, "dry_mass_kg");
+        system.given("mass_kg", &mass, &node.span, "");
     }
-    write_volume(system, source, payload);
-    if let Some(wet) = payload.wet_mass_kg {
-        let lift = payload.dry_mass_kg - wet;
-        lift_in_air(
-            system,
-            source,
-            lift,
-            source.span(&["payload", "wet_mass_kg"]),
-        );
+    match source.node(&["payload", "wet_mass_kg"]) {
+        Some(node) => system.given("wet_mass_kg", &value_of(source, node), &node.span, ""),
+        None => write_volume(system, source, payload),
     }
     for (key, value) in [
         ("drag_area_m2", &payload.drag_area_m2),
@@ -142,25 +133,6 @@ pub(super) fn write(system: &mut CaseText<'_>, source: &LineSource<'_>, payload:
     of_shape(system, source, payload);
     let area = payload_bed_area(payload, &source.case.environment);
     bearing::write(system, source, &["payload"], area);
-}
-
-/// Writes the load by which a body in air weighs less than its mass \[kg\]: there is no water whose buoyancy it would be.
-pub(super) fn lift_in_air(
-    system: &mut CaseText<'_>,
-    source: &LineSource<'_>,
-    lift_kg: f64,
-    span: Option<&Range<usize>>,
-) {
-    let around = &source.case.environment;
-    if let Some(span) = span.filter(|_| around.water_density_kg_per_m3 == 0.0 && lift_kg != 0.0) {
-        let load = numbers(&[0.0, 0.0, lift_kg * around.gravity_m_per_s2]);
-        system.given(
-            "load_n",
-            &load,
-            span,
-            "the mass less wet_mass_kg, by gravity",
-        );
-    }
 }
 
 /// Drag area and added mass that only the shape gives.

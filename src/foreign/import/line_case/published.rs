@@ -7,7 +7,7 @@ use super::paths;
 use super::source::{LINE, LineSource};
 use crate::case::{
     ChannelId, ChannelQuantity, Published, PublishedCurve, QuantityId, Statistic, Study,
-    StudyPoint, StudyValue, Subject, TomlNode, Trend,
+    StudyPoint, StudyValue, Subject, TomlEntry, TomlNode, Trend,
 };
 use crate::import::to_case::case_text::{CaseText, number, text};
 
@@ -177,12 +177,9 @@ pub(super) fn write(system: &mut CaseText<'_>, source: &LineSource<'_>) {
         }
     }
     for (row, node) in case.trend.iter().zip(items(source, "trend")) {
-        let Some((quantity, at)) = of_trend(source, row).zip(node.get("channel")) else {
-            continue;
-        };
-        system.table("[[trend]]", Some(&node.span));
-        system.given("quantity", &text(&quantity), &at.span, "channel");
-        kept(system, source, node);
+        if let Some(quantity) = of_trend(source, row) {
+            trend(system, source, node, &quantity);
+        }
     }
     let curves = case.published_curve.iter();
     for (row, node) in curves.zip(items(source, "published_curve")) {
@@ -200,19 +197,29 @@ fn value(
     (quantity, by): (String, Option<String>),
 ) {
     system.table("[[published]]", Some(&node.span));
-    if let Some(at) = node.get("channel") {
-        system.given("quantity", &text(&quantity), &at.span, "channel");
-    }
-    if let Some((by, at)) = by.zip(node.get("by_stretch_m")) {
-        system.given("divided_by", &text(&by), &at.span, "by_stretch_m");
-    }
-    kept(system, source, node);
-    for (key, other) in [
+    let points = [
         ("at", &row.at),
         ("change_from", &row.change_from),
         ("ratio_to", &row.ratio_to),
-    ] {
-        point(system, node, key, other.as_ref());
+    ];
+    let point_of = |key: &str| points.iter().find(|(own, _)| *own == key)?.1.as_ref();
+    for entry in node.entries() {
+        let (key, span) = (&*entry.key, &entry.node.span);
+        match (key, &by) {
+            ("channel", _) => system.given("quantity", &text(&quantity), span, ""),
+            ("by_stretch_m", Some(by)) => system.given("divided_by", &text(by), span, ""),
+            _ => kept(system, source, entry, point_of(key)),
+        }
+    }
+}
+
+fn trend(system: &mut CaseText<'_>, source: &LineSource<'_>, node: &TomlNode, quantity: &str) {
+    system.table("[[trend]]", Some(&node.span));
+    for entry in node.entries() {
+        match &*entry.key {
+            "channel" => system.given("quantity", &text(quantity), &entry.node.span, ""),
+            _ => kept(system, source, entry, None),
+        }
     }
 }
 
@@ -224,18 +231,18 @@ fn curve(
     channel: &ChannelId,
 ) {
     system.table("[[published_curve]]", Some(&node.span));
-    if let Some(at) = node.get("channel") {
-        system.given("channel", &text(&channel.to_string()), &at.span, "");
-    }
-    copied(system, source, node, &OF_CURVES);
-    kept(system, source, node);
-    point(system, node, "at", row.at.as_ref());
-}
-
-/// Writes a point of a study.
-fn point(system: &mut CaseText<'_>, node: &TomlNode, key: &str, point: Option<&StudyPoint>) {
-    if let Some((point, at)) = point.zip(node.get(key)) {
-        system.given(key, &inline(point), &at.span, "");
+    for entry in node.entries() {
+        let span = &entry.node.span;
+        match &*entry.key {
+            "channel" => system.given("channel", &text(&channel.to_string()), span, ""),
+            key if OF_CURVES.contains(&key) => copied(system, source, entry),
+            key => kept(
+                system,
+                source,
+                entry,
+                row.at.as_ref().filter(|_| key == "at"),
+            ),
+        }
     }
 }
 
@@ -253,15 +260,21 @@ fn inline(point: &StudyPoint) -> String {
     format!("{{ study = {}, value = {value} }}", text(&point.study))
 }
 
-/// The keys of a published value, trend or curve that say what it is worth.
-fn kept(system: &mut CaseText<'_>, source: &LineSource<'_>, node: &TomlNode) {
-    copied(system, source, node, &KEPT);
+/// Writes a key of a published value, trend or curve that is a point of a study, or that says what it is worth.
+fn kept(
+    system: &mut CaseText<'_>,
+    source: &LineSource<'_>,
+    entry: &TomlEntry,
+    point: Option<&StudyPoint>,
+) {
+    match point {
+        Some(point) => system.given(&entry.key, &inline(point), &entry.node.span, ""),
+        None if KEPT.contains(&&*entry.key) => copied(system, source, entry),
+        None => {}
+    }
 }
 
-fn copied(system: &mut CaseText<'_>, source: &LineSource<'_>, node: &TomlNode, keys: &[&str]) {
-    for key in keys {
-        if let Some(value) = node.get(key) {
-            system.given(key, &value_of(source, value), &value.span, "");
-        }
-    }
+fn copied(system: &mut CaseText<'_>, source: &LineSource<'_>, entry: &TomlEntry) {
+    let value = value_of(source, &entry.node);
+    system.given(&entry.key, &value, &entry.node.span, "");
 }

@@ -2,7 +2,7 @@
 
 use super::copied::{copy, copy_keys};
 use super::source::LineSource;
-use super::{paths, published};
+use super::{marks, paths, published};
 use crate::case::TomlNode;
 use crate::import::fault::Fault;
 use crate::import::to_case::case_text::{CaseText, text};
@@ -102,19 +102,5 @@ pub(super) fn write(system: &mut CaseText<'_>, source: &LineSource<'_>) {
         copy_keys(system, source, node, &[]);
     }
     published::write(system, source);
-    marks(system, source);
-}
-
-/// Where inputs come from, of those that the system has.
-fn marks(system: &mut CaseText<'_>, source: &LineSource<'_>) {
-    for entry in source
-        .node(&["marks"])
-        .map_or(&[][..], |marks| marks.entries())
-    {
-        let Some(path) = paths::translated(source, &entry.key) else {
-            continue;
-        };
-        system.table(&format!("[marks.{}]", text(&path)), Some(&entry.node.span));
-        copy_keys(system, source, &entry.node, &[]);
-    }
+    marks::write(system, source);
 }

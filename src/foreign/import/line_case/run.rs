@@ -4,7 +4,7 @@ use super::copied::{copy, copy_keys};
 use super::end_clumps;
 use super::ends;
 use super::source::LineSource;
-use crate::import::to_case::case_text::{CaseText, numbers};
+use crate::import::to_case::case_text::{CaseText, numbers, text};
 
 /// Writes the environment; above water that it does not say to be crossed all counts as under it, as of a line.
 pub(super) fn environment(system: &mut CaseText<'_>, source: &LineSource<'_>) {
@@ -29,9 +29,24 @@ pub(super) fn waves(system: &mut CaseText<'_>, source: &LineSource<'_>) {
     copy_keys(system, source, node, &[]);
     let waves = source.case.waves.as_ref();
     if waves.is_some_and(|waves| waves.gauge_m.is_none()) {
-        let ends = &source.case.ends;
-        let place = ends.b.position_m.or(ends.a.position_m).unwrap_or_default();
-        system.assumed("gauge_m", &numbers(&place[..2]), "over an end of the line");
+        gauge(system, source);
+    }
+}
+
+/// Writes where the height of the waves is recorded: over an end of the line, which of a system is no point where it is on a vessel.
+fn gauge(system: &mut CaseText<'_>, source: &LineSource<'_>) {
+    let given = source.node(&["waves", "gauge_over"]).is_some();
+    let both = &source.case.ends;
+    let over = [&both.b, &both.a].into_iter();
+    let over = over.filter(|end| end.position_m.is_some()).find(|_| !given);
+    let Some(end) = over else { return };
+    let is_point = end.kind.is_held() && !ends::is_on_vessel(source, end);
+    match is_point {
+        true => system.assumed("gauge_over", &text(&end.name), "an end of the line"),
+        false => {
+            let place = end.position_m.unwrap_or_default();
+            system.assumed("gauge_m", &numbers(&place[..2]), "over an end of the line");
+        }
     }
 }
 

@@ -18,9 +18,6 @@ pub(super) const BESIDE: [&str; 2] = ["line-1", "line-2"];
 /// The key of the density of the water, which volumes follow from.
 pub(super) const DENSITY: [&str; 2] = ["environment", "water_density_kg_per_m3"];
 
-/// The key of gravity, which loads of bodies in air follow from.
-pub(super) const GRAVITY: [&str; 2] = ["environment", "gravity_m_per_s2"];
-
 /// A case with its text.
 pub(super) struct LineSource<'t> {
     /// Its text.
@@ -38,6 +35,11 @@ impl<'t> LineSource<'t> {
         let root =
             TomlNode::parse(text).unwrap_or_else(|_| TomlNode::of_table(&Default::default()));
         Self { text, case, root }
+    }
+
+    /// Its tree.
+    pub(super) fn root(&self) -> &TomlNode {
+        &self.root
     }
 
     /// The value at a key path.

@@ -34,7 +34,10 @@ pub(super) fn of_line(system: &mut CaseText<'_>, source: &LineSource<'_>) {
     let Some(node) = source.node(&["start"]).filter(|_| begins) else {
         return;
     };
-    let mut without = OF_POINTS.to_vec();
+    let mut without = match follows_from_length(source) {
+        true => Vec::new(),
+        false => OF_POINTS.to_vec(),
+    };
     if searched {
         // Given coordinates begin the search of a case at rest, too.
         without.push("shape");
@@ -58,12 +61,12 @@ pub(super) fn of_ends(system: &mut CaseText<'_>, source: &LineSource<'_>) {
     }
 }
 
-/// Whether a free end begins where a straight line from the other ends, so that its place follows from the length of the line.
+/// Whether the line begins straight from a held end to one that is free, whose place follows from the length of the line.
 pub(super) fn follows_from_length(source: &LineSource<'_>) -> bool {
-    let case = &source.case;
-    let mut ends = [case.ends.a.kind, case.ends.b.kind].into_iter();
-    let is_straight = case.start.shape == StartShape::Straight;
-    is_in_shape(source) && is_straight && ends.any(|kind| !is_held(kind))
+    let ends = &source.case.ends;
+    let is_straight = source.case.start.shape == StartShape::Straight;
+    let is_led = is_held(ends.a.kind) != is_held(ends.b.kind);
+    is_in_shape(source) && is_straight && is_led && source.case.traveller.is_none()
 }
 
 /// Where a free end of a line in a shape begins \[m\], by its letter.

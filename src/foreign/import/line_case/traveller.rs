@@ -28,7 +28,7 @@ fn sets_out(source: &LineSource<'_>, body: &Traveller) -> bool {
 /// What of it, or of the line under it, a hauled point cannot state.
 pub(super) fn faults(source: &LineSource<'_>, body: &Traveller) -> Vec<Fault> {
     let weight = (body.mass_kg, body.wet_mass_kg);
-    let mut found = of_weight(source, &TABLE, weight);
+    let mut found: Vec<Fault> = of_weight(source, &TABLE, weight).into_iter().collect();
     found.extend(source.fault_of_expression(&key("from_m")));
     found.extend(of_way(source, body));
     if start::is_in_shape(source) || start::is_searched_from(source) {
@@ -112,7 +112,7 @@ pub(super) fn write_point(system: &mut CaseText<'_>, source: &LineSource<'_>) {
         let value = value_of(source, node);
         system.given("start_velocity_m_per_s", &value, &node.span, "");
     }
-    write_weight(system, source, &TABLE, (body.mass_kg, body.wet_mass_kg));
+    write_weight(system, source, &TABLE);
     let area = key("drag_area_m2");
     coefficient(system, source, &area, &body.drag_area_m2);
 }

@@ -84,7 +84,7 @@ pub(super) fn write(
     pose(system, source, rotation, hang);
     if let Some(node) = source.node(&["payload", "dry_mass_kg"]) {
         let mass = value_of(source, node);
-        system.given("mass_kg", &mass, &node.span, "dry_mass_kg");
+        system.given("mass_kg", &mass, &node.span, "");
     }
     let across = rotation.inertia_kg_m2;
     let along = rotation.spin_inertia_kg_m2.unwrap_or(across);
@@ -168,7 +168,7 @@ fn bottom(
     let span = source.span(&["payload", "bottom_m"]);
     let place = numbers(&[0.0, 0.0, below]);
     match span {
-        Some(span) => system.given("position_m", &place, span, "bottom_m"),
+        Some(span) => system.given("position_m", &place, span, ""),
         None => system.assumed("position_m", &place, "its centre of gravity"),
     }
     bearing::write(system, source, &["payload"], area);
@@ -194,7 +194,9 @@ fn pose(system: &mut CaseText<'_>, source: &LineSource<'_>, rotation: &Rotation,
     } else {
         "its search begins here"
     };
-    system.assumed("position_m", &numbers(&place), why);
+    if !start::follows_from_length(source) {
+        system.assumed("position_m", &numbers(&place), why);
+    }
     let span = source.span(&["payload", "rotation", "start_tilt_deg"]);
     if tilt != 0.0 {
         let (roll, pitch) = upright(tilt);

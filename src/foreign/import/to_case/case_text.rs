@@ -15,6 +15,8 @@ const COMMENT_COLUMN: usize = 40;
 #[derive(Debug, Clone)]
 pub struct CaseText<'t> {
     source: LineStarts,
+    /// Whether comments name the rows.
+    names_rows: bool,
     program: Option<Program>,
     beside: Option<(&'t ReferencedFile, LineStarts)>,
     /// What is written.
@@ -31,15 +33,17 @@ impl<'t> CaseText<'t> {
         Self {
             program: Some(mooring.program),
             beside: beside.map(|beside| (beside, LineStarts::of_text(&beside.text))),
+            names_rows: true,
             ..Self::of_text(source)
         }
     }
 
-    /// An empty case of a source whose columns are named as they are given.
+    /// An empty case of a source with comments of its own, whose rows none name.
     #[must_use]
     pub fn of_text(source: &str) -> Self {
         Self {
             source: LineStarts::of_text(source),
+            names_rows: false,
             program: None,
             beside: None,
             text: String::new(),
@@ -47,11 +51,12 @@ impl<'t> CaseText<'t> {
         }
     }
 
-    /// A line as it stands.
+    /// A line as it stands, or the lines of a value that goes over several.
     pub fn line(&mut self, line: &str, from: Option<&Range<usize>>) {
         self.text.push_str(line);
         self.text.push('\n');
-        self.from.push(from.cloned());
+        let count = line.matches('\n').count() + 1;
+        self.from.extend(std::iter::repeat_n(from.cloned(), count));
     }
 
     /// The header of a table, `[points.p1]`, after a blank line.
@@ -59,7 +64,8 @@ impl<'t> CaseText<'t> {
         if !self.text.is_empty() {
             self.line("", None);
         }
-        let comment = from.map(|span| self.row_of(span)).unwrap_or_default();
+        let named = from.filter(|_| self.names_rows);
+        let comment = named.map(|span| self.row_of(span)).unwrap_or_default();
         self.commented(header, &comment, from);
     }
 
@@ -71,6 +77,7 @@ impl<'t> CaseText<'t> {
             None => column,
         };
         let comment = match column {
+            column if !self.names_rows => column.to_owned(),
             "" => row,
             column => format!("{row}, {column}"),
         };
@@ -98,11 +105,14 @@ impl<'t> CaseText<'t> {
         format!("line {}", self.source.line(span.start))
     }
 
-    fn commented(&mut self, line: &str, comment: &str, from: Option<&Range<usize>>) {
+    /// A line with a comment behind it, or the lines of a value with one behind the last.
+    pub fn commented(&mut self, line: &str, comment: &str, from: Option<&Range<usize>>) {
         let mut whole = line.to_owned();
         if !comment.is_empty() {
-            let width = COMMENT_COLUMN.max(line.chars().count() + 2);
-            whole = format!("{}# {comment}", at_left(line, width));
+            let last = line.rfind('\n').map_or(0, |end| end + 1);
+            let width = COMMENT_COLUMN.max(line[last..].chars().count() + 2);
+            whole.truncate(last);
+            whole += &format!("{}# {comment}", at_left(&line[last..], width));
         }
         self.line(&whole, from);
     }
@@ -110,12 +120,14 @@ impl<'t> CaseText<'t> {
 
 /// Where the lines of a text begin, so that a line is found without counting from the first.
 #[derive(Debug, Clone)]
-struct LineStarts {
+pub struct LineStarts {
     ends: Vec<usize>,
 }
 
 impl LineStarts {
-    fn of_text(text: &str) -> Self {
+    /// Those of a text.
+    #[must_use]
+    pub fn of_text(text: &str) -> Self {
         let bytes = text.bytes().enumerate();
         let ends = bytes.filter(|(_, byte)| *byte == b'\n').map(|(at, _)| at);
         Self {
@@ -124,7 +136,8 @@ impl LineStarts {
     }
 
     /// The line of a byte, from 1.
-    fn line(&self, at: usize) -> usize {
+    #[must_use]
+    pub fn line(&self, at: usize) -> usize {
         self.ends.partition_point(|end| *end < at) + 1
     }
 }
@@ -141,6 +154,24 @@ pub fn number(value: f64) -> String {
 pub fn numbers(values: &[f64]) -> String {
     let all: Vec<String> = values.iter().copied().map(number).collect();
     format!("[{}]", all.join(", "))
+}
+
+/// A text between quotes, over several lines where it has several.
+#[must_use]
+pub fn block(value: &str) -> String {
+    if !value.contains('\n') {
+        return text(value);
+    }
+    let lines = value.split('\n').map(text);
+    let lines: Vec<String> = lines
+        .map(|line| line[1..line.len() - 1].to_owned())
+        .collect();
+    let mut whole = lines.join("\n");
+    // A quote alone does not end the text.
+    if !value.contains("\"\"") && !value.ends_with('"') {
+        whole = whole.replace("\\\"", "\"");
+    }
+    format!("\"\"\"\n{whole}\"\"\"")
 }
 
 /// A text between quotes.
@@ -182,6 +213,15 @@ pub fn name(of: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn texts_over_lines_are_read_again() {
+        for value in ["one", "a \"b\" c\nd\\ \\\"", "a\n\"\"\"\"b\n\nc \"d\" e"] {
+            let whole = format!("key = {}", block(value));
+            let read: toml::Table = toml::from_str(&whole).unwrap();
+            assert_eq!(read["key"].as_str(), Some(value), "{whole}");
+        }
+    }
 
     #[test]
     fn lines_know_their_rows() {

@@ -33,7 +33,7 @@ pub use loads::{
 };
 pub use published_curve::of_published_curves;
 pub use rope::of_material;
-pub use sea::of_waves;
+pub use sea::{of_gauge, of_waves};
 pub(crate) use seacable_keys::check::{
     check_keys, existing, fields_here, marks, names, unknown, unknown_name, unknown_path,
     used_twice,

@@ -1,5 +1,6 @@
 //! Waves: what is given twice, and what has no effect.
 
+use super::unknown;
 use crate::case::diagnostic::Finding;
 use crate::case::model::{CaseKeys, DecayName, SpectrumName, WaveKind, WavesKeys};
 
@@ -7,7 +8,31 @@ use crate::case::model::{CaseKeys, DecayName, SpectrumName, WaveKind, WavesKeys}
 pub(super) fn check(case: &CaseKeys<'_>) -> Vec<Finding> {
     let has_bed = case.place.node.get("seabed").is_some();
     let waves = case.waves.iter();
-    waves.flat_map(|waves| of_waves(waves, has_bed)).collect()
+    let mut found: Vec<Finding> = waves.flat_map(|waves| of_waves(waves, has_bed)).collect();
+    let ends = case
+        .ends
+        .iter()
+        .flat_map(|ends| [&ends.a, &ends.b])
+        .flatten();
+    let placed = ends.filter(|end| end.position_m.is_given());
+    let names: Vec<&str> = placed.filter_map(|end| end.name.text()).collect();
+    let waves = case.waves.iter();
+    found
+        .extend(waves.filter_map(|waves| of_gauge(waves, &names, ("end with a position", "case"))));
+    found
+}
+
+/// A gauge over what is not among these names, which are of such parts of a file of such a kind, or at two places.
+pub fn of_gauge(
+    waves: &WavesKeys<'_>,
+    names: &[&str],
+    (part, file): (&str, &str),
+) -> Option<Finding> {
+    if waves.gauge_m.is_given() {
+        let problem = "the gauge is at two places, here and at `gauge_m`";
+        return waves.gauge_over.if_given(problem, "keep one of them");
+    }
+    unknown(&waves.gauge_over, names, part, file)
 }
 
 /// Checks of one wave system, over a sea bed or not.

@@ -1,5 +1,6 @@
 //! Waves, and the surface of the water.
 
+use crate::case::fields::ValueType::Name;
 use crate::case::fields::{of, positive};
 use crate::case::schema::{table, words};
 
@@ -49,6 +50,8 @@ table! {
         decay_depth_m: f64 = 200.0, "decay depth", range positive(2e4);
         /// Where the height of the waves is recorded, x and y.
         gauge_m: Option<[f64; 2]>, "gauge", range of(-1e6, 1e6), absent "over end B where it has a position, else over end A; of a system over x = y = 0";
+        /// The end of the line, or the fixed or moved point of the system, over which it is recorded, in the place of gauge_m.
+        gauge_over: Option<String>, "gauge over", kind Name, absent "by gauge_m";
         /// Of the water's motion: velocity and acceleration, or the acceleration alone, with drag as in water that the waves leave still.
         load: WaveLoadName = WaveLoadName::Morison, "load";
     }

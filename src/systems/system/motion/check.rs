@@ -3,8 +3,8 @@
 use super::super::check_matrix::matrix;
 use crate::case::schema::Key;
 use crate::case::{
-    Finding, Method, MotionInterpolation, WaveKind, of_companions, of_longest_step, of_waves,
-    too_many_rows, too_many_steps,
+    Finding, Method, MotionInterpolation, WaveKind, of_companions, of_gauge, of_longest_step,
+    of_waves, too_many_rows, too_many_steps,
 };
 use crate::limits::SEGMENTS;
 use crate::system::model::{BodyKeys, BodyKind, LineKeys, PointKeys, PointKind, SystemKeys};
@@ -16,8 +16,14 @@ pub(in crate::system) fn waves(keys: &SystemKeys<'_>) -> Vec<Finding> {
         .environment
         .as_ref()
         .and_then(|around| around.water_density_kg_per_m3.value());
+    let is_held = |point: &PointKeys<'_>| {
+        point.kind.is(&PointKind::Fixed) || point.kind.is(&PointKind::Moved)
+    };
+    let held = keys.points.iter().filter(|(_, point)| is_held(point));
+    let held: Vec<&str> = held.map(|(name, _)| name.as_str()).collect();
     for (_, waves) in &keys.waves {
         found.extend(of_waves(waves, keys.seabed.is_some()));
+        found.extend(of_gauge(waves, &held, ("fixed or moved point", "system")));
         if density == Some(0.0) {
             let remedy = "give environment.water_density_kg_per_m3, or leave the waves out";
             found.push(waves.place.finding("there is no water to run in", remedy));
