@@ -406,7 +406,7 @@ fn keys_are_a_page_a_table() {
         .args(["keys", "solvr"])
         .assert()
         .code(2);
-    wrong.stderr(predicates::str::contains("did you mean `solver`?"));
+    wrong.stderr(contains("did you mean `solver`?"));
 }
 
 #[test]

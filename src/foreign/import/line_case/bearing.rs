@@ -12,6 +12,11 @@ pub(super) fn bears_by_volume(source: &LineSource<'_>, payload: &Payload) -> boo
     source.case.seabed.is_some() && !given
 }
 
+/// Whether it follows from its shape.
+pub(super) fn bears_by_shape(source: &LineSource<'_>, payload: &Payload) -> bool {
+    source.case.seabed.is_some() && payload.bed_area_m2.is_none() && payload.shape.is_some()
+}
+
 /// Writes the area that bears \[m²\], how far it is below the point, its suction and its friction.
 pub(super) fn write(system: &mut CaseText<'_>, source: &LineSource<'_>, table: &[&str], area: f64) {
     if source.case.seabed.is_none() {

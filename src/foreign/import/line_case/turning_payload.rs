@@ -3,14 +3,14 @@
 
 use super::bearing;
 use super::copied::{bare, value_of};
-use super::payload::{Hydrodynamics, hydrodynamics, write_volume};
+use super::payload::{hydrodynamics, write_volume};
 use super::source::{DENSITY, LineSource};
 use super::start;
 use crate::case::{EndKind, Payload, Rotation};
 use crate::import::fault::Fault;
 use crate::import::to_case::case_text::{CaseText, numbers, text};
 use crate::numerics::V3;
-use crate::scene::payload_bed_area;
+use crate::scene::{Hydrodynamics, payload_bed_area};
 
 /// The payload that turns, with its rotation, where the case has one.
 pub(super) fn turning<'c>(source: &'c LineSource<'_>) -> Option<(&'c Payload, &'c Rotation)> {
