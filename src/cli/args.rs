@@ -216,9 +216,13 @@ pub(super) enum CliCommand {
 
 #[derive(Debug, clap::Args)]
 pub(super) struct KeysArgs {
-    /// Only keys that begin with this path, such as payload or `materials.<name>.ea_n`.
+    /// Keys that begin with this path, such as payload or `materials.<name>.ea_n`.
     #[arg(value_name = "PREFIX", conflicts_with = "schema")]
     pub(super) prefix: Option<String>,
+
+    /// Every key of all tables.
+    #[arg(long, conflicts_with_all = ["prefix", "schema"])]
+    pub(super) all: bool,
 
     /// The kind of file.
     #[arg(long, value_name = "KIND", default_value = "case")]

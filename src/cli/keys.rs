@@ -1,4 +1,4 @@
-//! `seacable keys`: every key of a kind of file.
+//! `seacable keys`: the keys of a kind of file, a page a table.
 
 use std::{
     io::{IsTerminal, stdout},
@@ -11,8 +11,9 @@ use super::{
     kinds,
     output::{self, FileFormat},
 };
-use seacable_base::padding::at_left;
-use seacable_model::case::fields::{Field, Schema, TableSchema, json_schema};
+use seacable_base::padding::{at_left, at_right};
+use seacable_model::case::fields::{Field, Schema, TableSchema, json_schema, nearest};
+use seacable_model::kinds::FileType;
 use seacable_report::{document::wrap, text::WIDTH};
 
 pub(super) fn keys(args: &KeysArgs) -> Result<ExitCode, CommandError> {
@@ -22,16 +23,93 @@ pub(super) fn keys(args: &KeysArgs) -> Result<ExitCode, CommandError> {
         output::document(text.as_bytes(), FileFormat::Json)?;
         return Ok(ExitCode::SUCCESS);
     }
-    let prefix = args.prefix.as_deref().unwrap_or_default();
-    let text = list(schema, prefix, width());
+    let text = match &args.prefix {
+        Some(prefix) => list(schema, prefix, width()),
+        None if args.all => list(schema, "", width()),
+        None => contents(schema, args.kind, width()),
+    };
     if text.is_empty() {
-        return Err(CommandError::Usage(format!(
-            "No key of a {} begins with `{prefix}`; `seacable keys` without a prefix lists all.",
-            schema.what
+        return Err(CommandError::Usage(without_keys(
+            schema,
+            args.prefix.as_deref().unwrap_or_default(),
         )));
     }
     output::results(&text, args.ascii)?;
     Ok(ExitCode::SUCCESS)
+}
+
+/// That no key has a prefix, with the table that may be meant.
+fn without_keys(schema: &Schema, prefix: &str) -> String {
+    let tables = schema
+        .tables
+        .iter()
+        .map(|table| table.path.replace(".*", ""));
+    let tables: Vec<String> = tables.collect();
+    let near = nearest(prefix, tables.iter().map(String::as_str));
+    let meant = near.map(|near| format!(", did you mean `{near}`?"));
+    format!(
+        "No key of a {} begins with `{prefix}`{} `seacable keys` without a prefix lists the tables, with --all every key.",
+        schema.what,
+        meant.as_deref().unwrap_or(";"),
+    )
+}
+
+/// The tables of a kind of file, a line each: how many keys each has, and what it is.
+fn contents(schema: &'static Schema, kind: FileType, width: usize) -> String {
+    let mut seen: Vec<String> = Vec::new();
+    let mut rows: Vec<(String, usize, &str)> = Vec::new();
+    for table in schema.tables.iter() {
+        let pattern = table.pattern().into_owned();
+        let count = schema.fields_of(&pattern).count();
+        if count == 0 || seen.contains(&pattern) {
+            continue;
+        }
+        seen.push(pattern);
+        let depth = table.path.split('.').filter(|part| *part != "*").count();
+        let indent = "  ".repeat(depth.saturating_sub(1));
+        rows.push((format!("{indent}{}", table.header()), count, table.help));
+    }
+    let column = rows.iter().map(|(name, ..)| name.len()).max();
+    let column = column.unwrap_or(0) + 2;
+    let whole: usize = rows.iter().map(|(_, count, _)| count).sum();
+    let mut text = format!(
+        "{} tables of a {}, with {whole} keys\n\n",
+        rows.len(),
+        schema.what
+    );
+    for (name, count, help) in &rows {
+        let head = format!(
+            "{}{}  ",
+            at_left(name, column),
+            at_right(&count.to_string(), 3)
+        );
+        let room = width.saturating_sub(head.len());
+        text += &format!("{head}{}\n", in_a_line(help, room));
+    }
+    let named = match kind {
+        FileType::Line => String::new(),
+        other => format!(" --kind {}", other.table()),
+    };
+    let example = schema.tables.iter().find(|table| table.path == "solver");
+    let example = example.or(schema.tables.first());
+    let ends = format!(
+        "`seacable keys{named} {}` lists the keys of one with units, ranges and defaults; --all those of all.",
+        example.map_or("TABLE", |table| &table.path),
+    );
+    text.push('\n');
+    text += &wrap(&ends, width).join("\n");
+    text.push('\n');
+    text
+}
+
+/// A sentence in a line, without its last words where there is no room.
+fn in_a_line(sentence: &str, room: usize) -> String {
+    if sentence.chars().count() <= room {
+        return sentence.to_owned();
+    }
+    let first = wrap(sentence, room.saturating_sub(4)).into_iter().next();
+    let first = first.unwrap_or_default();
+    format!("{} ...", first.trim_end_matches([',', ';', ':']))
 }
 
 /// Columns of the terminal, or those of a plain page.

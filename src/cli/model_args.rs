@@ -28,7 +28,7 @@ pub(super) struct ModesArgs {
     #[arg(long, value_name = "N", value_parser = count)]
     pub(super) count: Option<usize>,
 
-    /// Modes to draw, by number: 9,10,11; by default the first three.
+    /// Modes to draw, by number: 9,10,11; by default the first three, of several lines the first.
     #[arg(long, value_name = "N,...", value_delimiter = ',', value_parser = count)]
     pub(super) shape: Vec<usize>,
 

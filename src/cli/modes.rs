@@ -1,4 +1,4 @@
-//! `seacable modes`: natural frequencies and mode shapes of a case's line.
+//! `seacable modes`: natural frequencies and mode shapes of a case's line, or of a whole system.
 
 use std::process::ExitCode;
 
@@ -6,14 +6,17 @@ use super::{
     BAD_RESULT, CommandError, cases,
     model_args::ModesArgs,
     output::{self, FileFormat, OutputFile},
-    system_args::SystemArgs,
     system_study,
 };
 use seacable_base::visible;
 use seacable_display::chart;
-use seacable_engine::modes;
+use seacable_display::table::Table;
+use seacable_engine::modes::{self, LineModes};
 use seacable_model::kinds::{FileBytes, FileType};
-use seacable_report::{modes as views, run_json};
+use seacable_report::{modes as views, run_json, system::analysis as system_views};
+use seacable_systems::system::analysis::periods;
+use seacable_systems::system::motion::modes::modes_of_system;
+use serde_json::Value;
 
 /// Columns and lines of the page.
 const WIDTH: usize = 108;
@@ -23,41 +26,72 @@ const MODES: usize = 10;
 
 pub(super) fn modes(args: &ModesArgs) -> Result<ExitCode, CommandError> {
     let bytes = FileBytes::read(&args.case.file);
-    if bytes.kind() == FileType::System {
-        if args.output.is_some() || !args.shape.is_empty() || args.count.is_some() {
-            let how = "Systems of lines do not take --output, --shape or --count: all modes of their bodies are listed, without shapes.";
-            return Err(CommandError::Usage(how.to_owned()));
-        }
-        let args = SystemArgs {
-            case: args.case.clone(),
-            ascii: args.ascii,
-            json: args.json,
-        };
-        return system_study::modes(&args, bytes);
-    }
+    let count = args.count.unwrap_or(MODES);
     let inputs = [args.case.file.clone()];
     let file = OutputFile::check(args.output.as_deref(), args.force, &inputs)?;
+    if bytes.kind() == FileType::System {
+        let solved = system_study::solved(&args.case, bytes)?;
+        let found = modes_of_system(&solved, count);
+        let found = found.map_err(|why| format!("{}; {}", why.problem, why.remedy));
+        let bodies = periods::periods(&solved.network, &solved.rest);
+        let bodies = bodies.ok().filter(|found| !found.modes.is_empty());
+        let object =
+            |found: &LineModes| system_study::modes_object(&solved, found, bodies.as_ref());
+        let more = bodies
+            .as_ref()
+            .map(|bodies| system_views::periods(&solved, bodies));
+        let page = ModesPage {
+            title: &solved.file.about.title,
+            file,
+            more,
+        };
+        return show(args, found, &object, page);
+    }
     let case = cases::load_set(bytes, &args.case.set)?.case;
-    let found = match modes::of_case(&case, args.count.unwrap_or(MODES)) {
+    let found = modes::of_case(&case, count).map_err(|why| why.to_string());
+    let page = ModesPage {
+        title: &case.case.title,
+        file,
+        more: None,
+    };
+    show(args, found, &run_json::modes, page)
+}
+
+/// What stands around the table and the picture.
+struct ModesPage<'a> {
+    title: &'a str,
+    /// Where the shapes go.
+    file: Option<OutputFile<'a>>,
+    /// A table below them.
+    more: Option<Table>,
+}
+
+/// Prints the modes, and writes their shapes where it is asked.
+fn show(
+    args: &ModesArgs,
+    found: Result<LineModes, String>,
+    object: &dyn Fn(&LineModes) -> Value,
+    page: ModesPage<'_>,
+) -> Result<ExitCode, CommandError> {
+    let found = match found {
         Ok(found) => found,
         Err(why) => {
             output::message(&format!("error: No modes were computed: {why}"));
             return Ok(ExitCode::from(BAD_RESULT));
         }
     };
-    if args.json {
-        if let Some(file) = file {
-            file.write(views::csv(&found).as_bytes(), FileFormat::Text)?;
-        }
-        output::object(&run_json::modes(&found))?;
-        return Ok(ExitCode::SUCCESS);
-    }
-    if let Some(file) = file {
+    if let Some(file) = page.file {
         file.write(views::csv(&found).as_bytes(), FileFormat::Text)?;
+    }
+    if args.json {
+        output::object(&object(&found))?;
+        return Ok(ExitCode::SUCCESS);
     }
     let glyphs = output::glyphs(args.ascii);
     let shown: Vec<usize> = if args.shape.is_empty() {
-        (0..found.modes.len().min(3)).collect()
+        // Of several lines each mode is several curves.
+        let few = if found.lines.len() > 1 { 1 } else { 3 };
+        (0..found.modes.len().min(few)).collect()
     } else {
         args.shape.iter().map(|number| number - 1).collect()
     };
@@ -69,12 +103,17 @@ pub(super) fn modes(args: &ModesArgs) -> Result<ExitCode, CommandError> {
         )));
     }
     let picture = chart::draw(&views::chart(&found, &shown), WIDTH, HEIGHT, glyphs);
-    let page = format!(
-        "Natural modes of {}\n\n{}\n{}",
-        visible::line(&case.case.title),
+    let more = page
+        .more
+        .as_ref()
+        .map(|table| format!("\n{}", table.to_text(WIDTH)));
+    let text = format!(
+        "Natural modes of {}\n\n{}\n{}{}",
+        visible::line(page.title),
         views::table(&found).to_text(WIDTH),
-        picture.to_text()
+        picture.to_text(),
+        more.unwrap_or_default()
     );
-    output::results(&page, args.ascii)?;
+    output::results(&text, args.ascii)?;
     Ok(ExitCode::SUCCESS)
 }

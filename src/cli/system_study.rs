@@ -7,15 +7,19 @@ use serde_json::{Value, json};
 use super::{
     BAD_RESULT, CommandError,
     cases::EditedFile,
+    common_args::CaseArgs,
     output,
     system_args::{OffsetsArgs, SeekArgs, SystemArgs, WatchArgs},
 };
 use seacable_display::chart::draw;
 use seacable_display::table::Table;
+use seacable_engine::modes::LineModes;
 use seacable_model::kinds::FileBytes;
+use seacable_report::run_json;
 use seacable_report::system::analysis as views;
 use seacable_systems::system::analysis::offset::{HeldAway, OffsetPoint, curve};
-use seacable_systems::system::analysis::{periods, seek, watch_circle};
+use seacable_systems::system::analysis::periods::NaturalModes;
+use seacable_systems::system::analysis::{seek, watch_circle};
 use seacable_systems::system::quantities::unit;
 use seacable_systems::system::{SolvedSystem, SystemFile};
 
@@ -24,15 +28,16 @@ const WIDTH: usize = 140;
 const PLOT: (usize, usize) = (80, 24);
 
 fn load(args: &SystemArgs) -> Result<SolvedSystem, CommandError> {
-    solved(args, FileBytes::read(&args.case.file))
+    solved(&args.case, FileBytes::read(&args.case.file))
 }
 
-fn solved(args: &SystemArgs, file: FileBytes) -> Result<SolvedSystem, CommandError> {
+/// The system of a file, worked out.
+pub(super) fn solved(args: &CaseArgs, file: FileBytes) -> Result<SolvedSystem, CommandError> {
     Ok(read(args, file)?.compute()?.computed)
 }
 
-fn read(args: &SystemArgs, file: FileBytes) -> Result<EditedFile<'_, SystemFile>, CommandError> {
-    EditedFile::read(file, &args.case.set, &args.case.import.options())
+fn read(args: &CaseArgs, file: FileBytes) -> Result<EditedFile<'_, SystemFile>, CommandError> {
+    EditedFile::read(file, &args.set, &args.import.options())
 }
 
 /// The body named, or the only one.
@@ -139,7 +144,7 @@ pub(super) fn watch(args: &WatchArgs) -> Result<ExitCode, CommandError> {
 
 pub(super) fn goal(args: &SeekArgs) -> Result<ExitCode, CommandError> {
     let file = FileBytes::read(&args.system.case.file);
-    let file = read(&args.system, file)?;
+    let file = read(&args.system.case, file)?;
     let text = file.whole_text();
     let Some((quantity, wanted)) = args
         .want
@@ -189,25 +194,20 @@ pub(super) fn goal(args: &SeekArgs) -> Result<ExitCode, CommandError> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// `seacable modes` on a system: the natural periods of its bodies and points.
-pub(super) fn modes(args: &SystemArgs, file: FileBytes) -> Result<ExitCode, CommandError> {
-    let solved = solved(args, file)?;
-    let found = periods::periods(&solved.network, &solved.rest)
-        .map_err(|why| CommandError::Usage(format!("No natural periods: {why}.")))?;
-    if found.modes.is_empty() {
-        let how = "No body of the system has a mass, and no free point: give `mass_kg` and `inertia_kg_m2` to a body.";
-        return Err(CommandError::Usage(how.to_owned()));
-    }
-    if args.json {
-        let each = found.modes.iter().map(|mode| {
-            let (part, direction) = mode.names(&solved.network);
-            json!({"period_s": mode.period_s, "part": part, "direction": direction})
-        });
-        let each: Vec<_> = each.collect();
-        let complete_to_s = found.complete_to_s;
-        output::object(&json!({"kind": "modes", "modes": each, "complete_to_s": complete_to_s}))?;
-        return Ok(ExitCode::SUCCESS);
-    }
-    output::results(&views::periods(&solved, &found).to_text(WIDTH), args.ascii)?;
-    Ok(ExitCode::SUCCESS)
+/// `seacable modes` on a system as an object: its own modes, and those of its bodies and points alone, where these have a mass.
+pub(super) fn modes_object(
+    solved: &SolvedSystem,
+    found: &LineModes,
+    bodies: Option<&NaturalModes>,
+) -> Value {
+    let each = bodies.iter().flat_map(|found| &found.modes).map(|mode| {
+        let (part, direction) = mode.names(&solved.network);
+        json!({"period_s": mode.period_s, "part": part, "direction": direction})
+    });
+    json!({
+        "kind": "modes",
+        "whole": run_json::each_mode(found),
+        "modes": each.collect::<Vec<_>>(),
+        "complete_to_s": bodies.and_then(|found| found.complete_to_s),
+    })
 }

@@ -54,10 +54,16 @@ pub fn study(name: &str, table: &Table) -> Value {
 /// The natural modes of a line, from the lowest frequency up.
 #[must_use]
 pub fn modes(found: &LineModes) -> Value {
+    json!({"kind": "line_modes", "modes": each_mode(found)})
+}
+
+/// Each natural mode of lines, with what moves most where that is more than a line.
+#[must_use]
+pub fn each_mode(found: &LineModes) -> Vec<Value> {
     let each = found.modes.iter().map(|named| {
         let mode = &named.mode;
         let vibrates = mode.eigenvalue > 0.0;
-        json!({
+        let mut object = json!({
             "frequency_hz": vibrates.then(|| mode.frequency_hz()),
             "error_hz": named.error_hz.filter(|_| vibrates),
             "period_s": vibrates.then(|| 1.0 / mode.frequency_hz()),
@@ -65,9 +71,13 @@ pub fn modes(found: &LineModes) -> Value {
             "of_kind": named.of_kind,
             "half_waves": mode.half_waves,
             "out_of_plane": mode.out_of_plane,
-        })
+        });
+        if let Some(most) = &named.most {
+            object["mostly"] = json!(most);
+        }
+        object
     });
-    json!({"kind": "line_modes", "modes": each.collect::<Vec<_>>()})
+    each.collect()
 }
 
 /// A validation table.

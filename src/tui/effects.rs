@@ -37,7 +37,6 @@ use super::recovery::{self, RecoveredEdits};
 use super::screen_memory::file;
 use super::settings::UserSettings;
 use super::state::edit_check::{EditAnswer, EditCheck};
-use super::state::modes::COUNT;
 use super::state::part_request::PartRequest;
 use super::state::parts::{PartView, ScreenPart};
 use super::state::report::ReportRequest;
@@ -48,7 +47,6 @@ use super::state::value_check::ValueCheck;
 use super::state::{JobNumber, JobRequest, RunCurves, Severity, VariantPlan, VariedRuns};
 use super::{case_library, external_editor};
 use crate::background::lower_priority;
-use crate::modes;
 use crate::run::coarse;
 use crate::run::job::{self, JobEvent, Request};
 use crate::run::store::{self, RunLocation, RunWriter, StoreError};
@@ -241,10 +239,7 @@ impl EffectRunner {
     /// Effects that compute something behind the screen, each on a thread of its own.
     fn compute(&self, effect: Effect) -> Vec<Msg> {
         match effect {
-            Effect::FindModes { case, text } => self.aside(move || {
-                let found = modes::of_case(&case, COUNT);
-                Msg::Modes(text, found.map(Arc::new).map_err(|why| why.to_string()))
-            }),
+            Effect::FindModes { of, text } => self.aside(move || Msg::Modes(text, of.find())),
             Effect::ComputeShip(ship) => self.aside(move || {
                 // It always answers; the panic hook reports a fault of it.
                 let computed = catch_unwind(AssertUnwindSafe(|| ship.computed()));

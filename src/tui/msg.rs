@@ -12,6 +12,7 @@ use super::screen_memory::file::SessionMemory;
 use super::settings::UserSettings;
 use super::state::edit_check::{EditAnswer, EditCheck};
 use super::state::job_process::{ProcessEffect, ProcessMsg};
+use super::state::modes::ModesOf;
 use super::state::part_request::PartRequest;
 use super::state::parts::{PartKey, PartView};
 use super::state::report::ReportRequest;
@@ -48,7 +49,7 @@ pub enum Msg {
     Job(JobNumber, Box<JobEvent>),
     /// The text of the open file as an editor left it, or all that is wrong with it.
     Edited(Result<String, String>),
-    /// The natural modes of the case with this text, or why there are none.
+    /// The natural modes of the file with this text, or why there are none.
     Modes(String, Result<Arc<LineModes>, String>),
     /// How far trials are.
     TrialProgress(JobNumber, Box<TrialProgress>),
@@ -263,10 +264,10 @@ pub enum Effect {
     CheckValues(Box<ValueCheck>),
     /// Give the terminal to the user's editor with this file, and take it back.
     EditFile(PathBuf),
-    /// Find the natural modes of a case.
+    /// Find the natural modes of what is open.
     FindModes {
-        /// The case.
-        case: Box<Case>,
+        /// That.
+        of: ModesOf,
         /// Its text, by which the answer is known.
         text: String,
     },

@@ -220,7 +220,7 @@ fn a_cable_of_small_sag() {
              ends.b.position_m = [100.0, 0.0, 0.0]"
         ));
         let found = of_case(&case, 8).unwrap();
-        let h = found.scene.end_force(0, &found.rest).x;
+        let h = found.lines[0].scene.end_force(0, &found.lines[0].rest).x;
         let mass = 2.0 * length / 100.0;
         let load = mass * 9.81 * 100.0 / h;
         let lambda2 = load * load * ea / h / (1.0 + load * load / 8.0);
@@ -252,7 +252,7 @@ fn a_cable_of_small_sag() {
 /// All eigenvalues of a small line from its dense matrices, by another route: `L^-1 K L^-T` with `M = L L'`.
 fn dense(case: &Case) -> (Vec<f64>, Vec<f64>) {
     let found = of_case(case, 12).unwrap();
-    let (scene, nodes) = (&found.scene, found.scene.nodes());
+    let (scene, nodes) = (&found.lines[0].scene, found.lines[0].scene.nodes());
     let matrix = |mass: f64, stiffness: f64| {
         let mut residual = vec![V3::zeros(); nodes];
         let mut band = BlockBand::new(nodes);
@@ -264,7 +264,7 @@ fn dense(case: &Case) -> (Vec<f64>, Vec<f64>) {
             damping: 0.0,
             stiffness,
         };
-        scene.linearise(0.0, &found.rest, factors, &mut residual, &mut band);
+        scene.linearise(0.0, &found.lines[0].rest, factors, &mut residual, &mut band);
         let free = scene.free();
         let (from, n) = (free.start, 3 * free.len());
         DMatrix::from_fn(n, n, |r, c| {
@@ -321,7 +321,7 @@ fn every_mode_of_a_short_line_can_be_had() {
     let found = of_case(&case, 100).unwrap();
     assert_eq!(found.modes.len(), 9);
     // From the fundamental swing to the axial modes, each orthogonal to the others.
-    let mut pencil = ModePencil::new(&found.scene, &found.rest);
+    let mut pencil = ModePencil::new(&found.lines[0].scene, &found.lines[0].rest);
     let pairs = lowest(&mut pencil, 100).unwrap();
     for (i, a) in pairs.iter().enumerate() {
         for (j, b) in pairs.iter().enumerate() {
@@ -433,7 +433,7 @@ fn an_inclined_cable() {
             chord * slope.sin()
         ));
         let found = of_case(&case, 6).unwrap();
-        let tension = found.scene.tensions(&found.rest)[100];
+        let tension = found.lines[0].scene.tensions(&found.lines[0].rest)[100];
         let mass = 2.0 * length / chord;
         let load = mass * 9.81 * slope.cos() * chord / tension;
         let lambda2 = load * load * ea / tension / (1.0 + load * load / 8.0);
@@ -480,7 +480,7 @@ fn a_beam_under_tension() {
     }
     let errors = [25, 50, 100].map(|n| frequencies(&on(n))[6] / frequencies(&on(400))[6] - 1.0);
     second_order("beam under tension", &errors.map(f64::abs));
-    let medium = WkbMedium::of_line_at_rest(&found.scene, &found.rest).unwrap();
+    let medium = WkbMedium::of_line_at_rest(&found.lines[0].scene, &found.lines[0].rest).unwrap();
     for n in 1..5 {
         assert!((medium.frequency_hz(n).unwrap() / exact(n) - 1.0).abs() < 1e-3);
     }
@@ -498,7 +498,7 @@ fn wkb_theory_nears_the_modes_of_an_upright_line_as_they_rise() {
          ends.b.position_m = [0.0, 0.0, 0.0]",
     );
     let found = of_case(&case, 16).unwrap();
-    let medium = WkbMedium::of_line_at_rest(&found.scene, &found.rest).unwrap();
+    let medium = WkbMedium::of_line_at_rest(&found.lines[0].scene, &found.lines[0].rest).unwrap();
     assert!((medium.tension[800] - 500.0).abs() < 10.0);
     let all = of_kind(&found, ModeKind::InPlane);
     let off: Vec<f64> = all

@@ -16,6 +16,7 @@ mod drawn;
 mod features;
 mod friction;
 mod line_keys;
+mod modes;
 mod nothing_lost;
 mod one_line;
 mod recorded;

@@ -364,6 +364,51 @@ fn a_reader_that_leaves_is_an_error_in_a_line() {
     assert_eq!(said.lines().count(), 1, "{said}");
 }
 
+/// A page a table: the tables in a line each, one with its keys, all of them.
+#[test]
+fn keys_are_a_page_a_table() {
+    let dir = place(SMALL);
+    let page = |words: &[&str]| {
+        let done = seacable(dir.path()).args(words).assert().success();
+        String::from_utf8(done.get_output().stdout.clone()).unwrap()
+    };
+    for kind in ["case", "system", "section", "ship", "ropeway"] {
+        let tables = page(&["keys", "--kind", kind]);
+        let all = page(&["keys", "--kind", kind, "--all"]);
+        let heads = all.lines().filter(|line| line.starts_with('['));
+        let named = tables
+            .lines()
+            .filter(|line| line.trim_start().starts_with('['));
+        assert_eq!(named.clone().count(), heads.count(), "{kind}\n{tables}");
+        assert!(
+            named.clone().count() + 5 >= tables.lines().count(),
+            "{tables}"
+        );
+        assert!(
+            tables.lines().all(|line| line.chars().count() <= 100),
+            "{tables}"
+        );
+        let counts = named.map(|line| {
+            let mut words = line.split_whitespace();
+            let count = words.find_map(|word| word.parse::<usize>().ok());
+            count.unwrap_or_else(|| panic!("{line}"))
+        });
+        let whole: usize = counts.sum();
+        assert!(tables.starts_with(|c: char| c.is_ascii_digit()), "{tables}");
+        assert!(tables.contains(&format!("with {whole} keys")), "{tables}");
+    }
+    let solver = page(&["keys", "--kind", "system", "solver"]);
+    assert!(
+        solver.starts_with("[solver]") && solver.lines().count() > 20,
+        "{solver}"
+    );
+    let wrong = seacable(dir.path())
+        .args(["keys", "solvr"])
+        .assert()
+        .code(2);
+    wrong.stderr(contains("did you mean `solver`?"));
+}
+
 #[test]
 fn modes_prints_frequencies_and_shapes_and_writes_them() {
     let dir = place(SMALL);

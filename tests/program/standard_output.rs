@@ -7,7 +7,7 @@ use crate::small::SMALL;
 
 const COMMANDS: [&[&str]; 6] = [
     &["run", "small.toml", "--out", "run"],
-    &["keys"],
+    &["keys", "--all"],
     &["lines"],
     &["--help"],
     &["--version"],

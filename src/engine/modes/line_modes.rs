@@ -1,14 +1,13 @@
 //! Modes of a case: static equilibrium, modes about it, and their errors estimated from a mesh of half the segments.
 
-use super::{EigenError, Mode, ModeKind, ModePencil, lowest, modes_of};
+use super::{EigenError, Mode, ModeFrame, ModeKind, ModePencil, lowest, modes_of};
 use crate::case::Case;
-use crate::numerics::V3;
 use crate::scene::{self, Scene, SceneError};
 use crate::solve::State;
 use crate::statics::equilibrium;
 
 /// Additional modes on the coarse mesh, where their order may differ.
-const MORE: usize = 4;
+pub const MORE: usize = 4;
 
 /// Why the modes of a case were not computed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -38,16 +37,27 @@ pub struct NamedMode {
     pub of_kind: usize,
     /// Error of its frequency from the mesh \[Hz\]; absent if the coarse mesh has no such mode.
     pub error_hz: Option<f64>,
+    /// What moves most by kinetic energy; nothing of a line by itself.
+    pub most: Option<String>,
 }
 
-/// The line at rest and its lowest modes.
+/// A line at rest.
 #[derive(Debug, Clone)]
-pub struct LineModes {
+pub struct ModeLine {
+    /// Its name; empty of a line by itself.
+    pub name: String,
     /// The line.
     pub scene: Scene,
     /// Its state at rest.
     pub rest: State,
-    /// Its modes, from the lowest frequency up.
+}
+
+/// Lines at rest, and the lowest modes of them and what they hang on.
+#[derive(Debug, Clone)]
+pub struct LineModes {
+    /// The lines, in the order of the shapes of modes.
+    pub lines: Vec<ModeLine>,
+    /// The modes, from the lowest frequency up.
     pub modes: Vec<NamedMode>,
 }
 
@@ -60,38 +70,59 @@ pub fn of_case(case: &Case, count: usize) -> Result<LineModes, ModesError> {
     modes.truncate(count);
     // The estimate needs a different mesh; if it fails, the modes are given without.
     let coarse = on_mesh(case, 2, count + MORE).ok();
-    let coarse =
-        coarse.filter(|(coarse, ..)| coarse.line.segments.len() < scene.line.segments.len());
-    let ratio = coarse.as_ref().map_or(1.0, |(coarse, ..)| {
-        scene.line.segments.len() as f64 / coarse.line.segments.len() as f64
+    let segments = scene.line.segments.len() as f64;
+    let coarse = coarse.map(|(coarse, _, modes)| {
+        let ratio = segments / coarse.line.segments.len() as f64;
+        (ratio, modes)
     });
-    let touchdown = touchdown_share(&scene, &rest);
-    let named = modes.iter().enumerate().map(|(i, mode)| {
-        let of_kind = 1 + of_kind(&modes[..i], mode.kind).count();
-        let other = coarse
-            .as_ref()
-            .and_then(|(_, _, modes)| of_kind_at(modes, mode.kind, of_kind));
+    let coarse = coarse.as_ref().filter(|(ratio, _)| *ratio > 1.0);
+    let coarse = coarse.map(|(ratio, modes)| (*ratio, modes.as_slice()));
+    let modes = named(modes, coarse, touchdown_share(&scene, &rest));
+    let line = ModeLine {
+        name: String::new(),
+        scene,
+        rest,
+    };
+    Ok(LineModes {
+        lines: vec![line],
+        modes,
+    })
+}
+
+/// Modes with their numbers among those of their kinds, and their errors from a mesh with so many times fewer segments that has the modes
+/// given; `touchdown` is the share of [`touchdown_share`].
+#[must_use]
+pub fn named(modes: Vec<Mode>, coarse: Option<(f64, &[Mode])>, touchdown: f64) -> Vec<NamedMode> {
+    let numbers: Vec<usize> = modes
+        .iter()
+        .enumerate()
+        .map(|(i, mode)| 1 + of_kind(&modes[..i], mode.kind).count())
+        .collect();
+    let named = modes.into_iter().zip(numbers).map(|(mode, number)| {
         // The lumped line is of second order (Richardson extrapolation), but not at a touchdown.
         let unknown = match mode.kind {
             ModeKind::OutOfPlane => 0.0,
             _ => touchdown * mode.frequency_hz(),
         };
-        let by_mesh = |o: &Mode| {
-            (mode.frequency_hz() - o.frequency_hz()).abs() / (ratio * ratio - 1.0) + unknown
-        };
+        let error_hz = coarse.and_then(|(ratio, modes)| {
+            let other = of_kind_at(modes, mode.kind, number)?;
+            let by_mesh = (mode.frequency_hz() - other.frequency_hz()).abs();
+            Some(by_mesh / (ratio * ratio - 1.0) + unknown)
+        });
         NamedMode {
-            of_kind,
-            error_hz: other.map(by_mesh),
-            mode: mode.clone(),
+            of_kind: number,
+            error_hz,
+            most: None,
+            mode,
         }
     });
-    let modes = named.collect();
-    Ok(LineModes { scene, rest, modes })
+    named.collect()
 }
 
 /// Relative error of in-plane frequencies by the touchdown, which the mesh resolves to half a segment: the suspended length is
 /// uncertain by as much, and frequencies vary about as its inverse. The greatest over all touchdowns.
-fn touchdown_share(scene: &Scene, rest: &State) -> f64 {
+#[must_use]
+pub fn touchdown_share(scene: &Scene, rest: &State) -> f64 {
     let Some(bed) = &scene.elements.bed else {
         return 0.0;
     };
@@ -133,16 +164,24 @@ fn on_mesh(
     count: usize,
 ) -> Result<(Scene, State, Vec<Mode>), ModesError> {
     let scene = scene::build(case, coarsening)?;
+    let (rest, modes) = of_scene_at_rest(&scene, count)?;
+    Ok((scene, rest, modes))
+}
+
+/// The state of a line at rest, and the lowest modes about it, possibly a few more.
+///
+/// # Errors
+/// [`ModesError`].
+pub fn of_scene_at_rest(scene: &Scene, count: usize) -> Result<(State, Vec<Mode>), ModesError> {
     if scene.elements.rigid_payload.is_some() {
         return Err(ModesError::RigidPayload);
     }
     let mut rest = scene.initial_state();
-    equilibrium::EquilibriumSearch::default().run(&scene, 0.0, &mut rest)?;
+    equilibrium::EquilibriumSearch::default().run(scene, 0.0, &mut rest)?;
     // Fibre ropes oscillate at their dynamic stiffness.
     scene.line.remember_ropes(0.0, 0.0, &mut rest);
-    let mut pencil = ModePencil::new(&scene, &rest);
+    let mut pencil = ModePencil::new(scene, &rest);
     let pairs = lowest(&mut pencil, count)?;
-    let points: Vec<V3> = rest.x.clone();
-    let modes = modes_of(&pencil, &points, pairs);
-    Ok((scene, rest, modes))
+    let modes = modes_of(&pencil, &ModeFrame::of_lines(&[&rest.x]), pairs);
+    Ok((rest, modes))
 }

@@ -10,6 +10,7 @@
 //! * [`lowest`]: their lowest eigenpairs, by a shift-invert block Lanczos method with a count that none is missing.
 //! * [`Mode`]: an eigenpair with its kind: share of motion out of the plane of the line and along the line, half waves.
 //! * [`WkbMedium`]: local wave numbers, amplitudes and frequencies by WKB theory.
+//! * [`ModeFrame`], [`Inertia`]: by what modes of several lines with what they hang on are described alike.
 //! * [`of_case`]: all of it for a case, errors estimated from half the mesh.
 
 mod lanczos;
@@ -19,7 +20,8 @@ mod pencil;
 mod wkb;
 
 pub use lanczos::{EigenError, Eigenpair, lowest};
-pub use line_modes::{LineModes, ModesError, NamedMode, of_case};
-pub use mode_shape::{LinePlane, Mode, ModeKind, modes_of};
+pub use line_modes::{LineModes, ModeLine, ModesError, NamedMode, of_case, of_scene_at_rest};
+pub use line_modes::{MORE, named, touchdown_share};
+pub use mode_shape::{Inertia, LinePlane, Mode, ModeFrame, ModeKind, modes_of};
 pub use pencil::ModePencil;
 pub use wkb::{WkbMedium, WkbWave, wave_number};

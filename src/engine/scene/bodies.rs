@@ -6,7 +6,8 @@ use super::labels::Joint;
 use super::line::AttachedBody;
 use super::vectors::per_axis;
 use super::{RigidPayload, SceneError};
-use crate::case::{self, Case, EndKind, OnSection};
+use crate::case::{self, Case, EndKind, OnSection, OneOrMany};
+use crate::numerics::V3;
 use crate::physics::added_mass::AddedMass;
 use crate::physics::kirchhoff::KirchhoffAddedMass;
 use crate::physics::payload::{FormCoefficients, box_form, sphere_and_cylinder};
@@ -157,21 +158,13 @@ fn payload(case: &Case) -> Result<Option<BodyProperties>, SceneError> {
             ));
         }
     };
-    let area = body
-        .drag_area_m2
-        .as_ref()
-        .map(per_axis)
-        .or(form.map(|f| f.drag_area));
-    let added = body
-        .added_mass_kg
-        .as_ref()
-        .map(per_axis)
-        .or(form.map(|f| f.added_volume * rho));
+    let given = [&body.drag_area_m2, &body.added_mass_kg];
+    let of = Hydrodynamics::new(body.shape.as_ref(), given, rho);
     Ok(Some(BodyProperties {
         mass: body.dry_mass_kg,
         weight: wet * case.environment.gravity_m_per_s2,
-        drag: area.unwrap_or_default() * (0.5 * rho),
-        added: added.unwrap_or_default(),
+        drag: of.drag_area * (0.5 * rho),
+        added: of.added_mass,
         aligned: None,
     }))
 }
@@ -219,7 +212,36 @@ pub(super) fn rigid_payload(case: &Case, node: usize) -> Result<Option<RigidPayl
     Ok(Some(RigidPayload { node, body }))
 }
 
-/// What the shape of a payload gives.
+/// Drag area and added mass of a body along x, y, z.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Hydrodynamics {
+    /// Drag coefficient times area \[m²\].
+    pub drag_area: V3,
+    /// Added mass \[kg\].
+    pub added_mass: V3,
+}
+
+impl Hydrodynamics {
+    /// As drag area \[m²\] and added mass \[kg\] are given, in this order, or follow from a shape in water of a density \[kg/m³\]; else none.
+    #[must_use]
+    pub fn new(
+        shape: Option<&case::PayloadShape>,
+        [drag_area, added_mass]: [&Option<OneOrMany>; 2],
+        density: f64,
+    ) -> Self {
+        let form = shape.map(shape_form);
+        let area = drag_area.as_ref().map(per_axis);
+        let added = added_mass.as_ref().map(per_axis);
+        let area = area.or(form.map(|f| f.drag_area));
+        let added = added.or(form.map(|f| f.added_volume * density));
+        Self {
+            drag_area: area.unwrap_or_default(),
+            added_mass: added.unwrap_or_default(),
+        }
+    }
+}
+
+/// What the shape of a body gives.
 #[must_use]
 pub fn shape_form(shape: &case::PayloadShape) -> FormCoefficients {
     match *shape {

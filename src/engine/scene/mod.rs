@@ -54,7 +54,7 @@ pub mod water;
 mod wave_kinematics;
 mod waves;
 
-pub use bodies::{clump_bed_area, payload_bed_area, shape_form};
+pub use bodies::{Hydrodynamics, clump_bed_area, payload_bed_area, shape_form};
 pub use build::build;
 pub use build::current as current_profile;
 pub use buoyancy::spread;

@@ -12,6 +12,11 @@ use crate::system::model::{BodyInputs, BodyKind, LineInputs, PointKind, RodInput
 use crate::system::network::Held;
 use crate::system::parts::sections;
 
+/// What a vector has along each axis, where that is the same.
+pub(super) fn alike(value: &V3) -> Option<f64> {
+    (value.x == value.y && value.y == value.z).then_some(value.x)
+}
+
 /// Segments of a rod.
 const ROD_SEGMENTS: usize = 10;
 /// Digits of places at rest behind the point.
@@ -436,11 +441,12 @@ impl Writer<'_> {
                 if let Some(inputs) = inputs {
                     row.mass = inputs.mass_kg;
                     row.volume = inputs.displaced_m3(density);
-                    row.drag_area = inputs.drag_area_m2.alike().unwrap_or_default();
+                    let of = inputs.hydrodynamics(density);
+                    row.drag_area = alike(&of.drag_area).unwrap_or_default();
                     row.load = inputs.load_with_lift(density, self.solved.network.gravity);
                     let displaced = density * row.volume;
                     row.added_mass = match displaced > 0.0 {
-                        true => inputs.added_mass_kg.alike().unwrap_or_default() / displaced,
+                        true => alike(&of.added_mass).unwrap_or_default() / displaced,
                         false => 0.0,
                     };
                 }

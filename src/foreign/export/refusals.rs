@@ -1,5 +1,6 @@
 //! What of a system a file of another program cannot say.
 
+use super::parts::alike;
 use super::sea::{common_friction, current_by_file};
 use super::target::{Target, Unsayable};
 use crate::case::{
@@ -334,18 +335,21 @@ fn free_point(name: &str, point: &PointInputs, target: Target, found: &mut Found
     if point.kind != PointKind::Free || target != Target::MoorDyn {
         return;
     }
+    // Which of them are nothing, or the same along all axes, no density changes.
+    let of = point.hydrodynamics(1.0);
+    let displaces = point.displaced_m3(1.0) != 0.0 || point.wet_mass_kg.is_some();
     found.add(
-        point.volume_m3 == 0.0 && point.wet_mass_kg.is_none() && !point.added_mass_kg.is_zero(),
+        !displaces && of.added_mass != V3::zeros(),
         key("added_mass_kg"),
         "added mass of a point without volume",
     );
     let both = [
-        ("drag_area_m2", &point.drag_area_m2),
-        ("added_mass_kg", &point.added_mass_kg),
+        ("drag_area_m2", &of.drag_area),
+        ("added_mass_kg", &of.added_mass),
     ];
     for (name, value) in both {
         found.add(
-            value.alike().is_none(),
+            alike(value).is_none(),
             key(name),
             "a drag area or added mass of a point that differs along its axes",
         );

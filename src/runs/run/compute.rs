@@ -53,6 +53,27 @@ impl Computed {
         Self::without_record(MarchResult::stopped(Work::default()))
     }
 
+    /// Whether it was not stopped before it recorded anything.
+    #[must_use]
+    pub fn has_record(&self) -> bool {
+        self.outcome.state != RunState::Cancelled || !self.record.history.time.is_empty()
+    }
+
+    /// Takes the natural modes that the file asks for, or why there are none; with a warning where the steps change them.
+    pub fn take_modes(&mut self, found: Result<Vec<Quantity>, String>) {
+        let found = found.unwrap_or_else(|why| {
+            let why = format!("natural modes are not computed: {why}");
+            self.warnings.push(why);
+            Vec::new()
+        });
+        let frequencies = found.iter().filter(|q| q.unit() == "Hz");
+        let frequencies: Vec<f64> = frequencies.map(|q| q.value).collect();
+        let steps = &self.outcome.lengths;
+        let damped = damped_modes_warning(&self.settings, steps, &frequencies);
+        self.warnings.extend(damped);
+        self.modes.splice(0..0, found);
+    }
+
     fn without_record(outcome: MarchResult) -> Self {
         Self {
             outcome,
@@ -151,8 +172,7 @@ fn evaluate(
     (scene, bounds): (&Scene, &SceneBounds),
     mut computed: Computed,
 ) -> Computed {
-    let outcome = &computed.outcome;
-    if outcome.state == RunState::Cancelled && computed.record.history.time.is_empty() {
+    if !computed.has_record() {
         return computed;
     }
     let (warnings, record) = (&mut computed.warnings, &mut computed.record);
@@ -160,19 +180,10 @@ fn evaluate(
     set_numerical_damping(&mut computed.settings, bounds.forced_period, steps);
     warnings.extend(out_of_water(case, record.profile()));
     warnings.append(&mut record.warnings);
-    computed.modes = natural_modes::frequencies(case, scene).unwrap_or_else(|why| {
-        warnings.push(format!("natural modes are not computed: {why}"));
-        Vec::new()
-    });
-    let frequencies = computed.modes.iter().filter(|q| q.unit() == "Hz");
-    let frequencies: Vec<f64> = frequencies.map(|q| q.value).collect();
-    warnings.extend(damped_modes_warning(
-        &computed.settings,
-        steps,
-        &frequencies,
-    ));
     let steady = steady_state::settling_quantity(AskedResponse::of_case(case), &record.shapes);
     computed.modes.extend(steady);
+    computed.take_modes(natural_modes::frequencies(case, scene));
+    let record = &computed.record;
     let curves = published_curve::of_file_as_it_stands(case, &case.study, &case.published_curve);
     computed.curves = published_curve::differences(&curves, &record.history);
     computed

@@ -30,7 +30,7 @@ pub mod lines_along;
 pub mod march;
 pub mod method;
 pub mod model;
-mod natural_modes;
+pub mod natural_modes;
 pub mod observer;
 pub mod observers;
 pub mod outlook;

@@ -1,33 +1,23 @@
 //! Natural modes among the single numbers of a run, where its case asks for them.
 
 use super::{ModePlane, Quantity, QuantityId, Subject};
-use crate::case::Case;
-use crate::modes::{Mode, ModeKind, ModePencil, ModesError, lowest, modes_of};
+use crate::case::{Case, Modes};
+use crate::modes::{Mode, ModeKind, of_scene_at_rest};
 use crate::scene::Scene;
-use crate::statics::equilibrium::EquilibriumSearch;
 
 /// Modes found beyond those wanted, so that both planes have as many as are named.
 const BEYOND: usize = 4;
 
-/// Frequencies of the modes in and out of the plane of the line, and which one lies nearest to the frequency given;
-/// nothing unless the case asks for it. Values only, without errors.
-///
-/// # Errors
-/// Why there are none, in words.
-pub(super) fn frequencies(case: &Case, scene: &Scene) -> Result<Vec<Quantity>, String> {
-    let Some(wanted) = &case.modes else {
-        return Ok(Vec::new());
-    };
-    if scene.elements.rigid_payload.is_some() {
-        return Err(ModesError::RigidPayload.to_string());
-    }
-    let mut rest = scene.initial_state();
-    let search = EquilibriumSearch::default().run(scene, 0.0, &mut rest);
-    search.map_err(|error| error.to_string())?;
-    let mut pencil = ModePencil::new(scene, &rest);
-    let pairs =
-        lowest(&mut pencil, 2 * wanted.count + BEYOND).map_err(|error| error.to_string())?;
-    let modes = modes_of(&pencil, &rest.x, pairs);
+/// How many modes to look for, so that both planes have as many as a file asks for.
+#[must_use]
+pub const fn wanted(asked: &Modes) -> usize {
+    2 * asked.count + BEYOND
+}
+
+/// Frequencies of modes in and out of the plane of the line, and which one lies nearest to the frequency given, as a file asks for them. Values
+/// only, without errors.
+#[must_use]
+pub fn numbers(asked: &Modes, modes: &[Mode]) -> Vec<Quantity> {
     let mut list = Vec::new();
     for (kind, plane) in [
         (ModeKind::InPlane, ModePlane::InPlane),
@@ -35,15 +25,28 @@ pub(super) fn frequencies(case: &Case, scene: &Scene) -> Result<Vec<Quantity>, S
     ] {
         let found = modes.iter().filter(|mode| mode.kind == kind);
         let frequencies: Vec<f64> = found.map(Mode::frequency_hz).collect();
-        let named = frequencies.iter().take(wanted.count).enumerate();
+        let named = frequencies.iter().take(asked.count).enumerate();
         list.extend(named.map(|(i, hz)| quantity(Subject::ModeFrequency(plane, i + 1), *hz)));
-        if let Some(near) = wanted.near_hz
+        if let Some(near) = asked.near_hz
             && let Some(number) = nearest(&frequencies, near)
         {
             list.push(quantity(Subject::NearestMode(plane), number as f64));
         }
     }
-    Ok(list)
+    list
+}
+
+/// The same of the line of a case; nothing unless it asks for them.
+///
+/// # Errors
+/// Why there are none, in words.
+pub(super) fn frequencies(case: &Case, scene: &Scene) -> Result<Vec<Quantity>, String> {
+    let Some(asked) = &case.modes else {
+        return Ok(Vec::new());
+    };
+    let found = of_scene_at_rest(scene, wanted(asked));
+    let (_, modes) = found.map_err(|error| error.to_string())?;
+    Ok(numbers(asked, &modes))
 }
 
 fn quantity(of: Subject, value: f64) -> Quantity {

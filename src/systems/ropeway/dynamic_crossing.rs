@@ -59,7 +59,11 @@ impl SolvedRopeway {
         let case = line::static_case(&self.ropeway, rest.length_m, rest.arc_m);
         let found = modes::of_case(&case, 8)
             .map_err(|_| RopewayError::NotFound("the modes of the line were not found"))?;
-        let cargo = found.scene.labels.clumps.first().copied().unwrap_or(0);
+        let clumps = found
+            .lines
+            .iter()
+            .flat_map(|line| &line.scene.labels.clumps);
+        let cargo = clumps.copied().next().unwrap_or(0);
         // The lowest in-plane mode moves the cargo horizontally; the first with a vertical motion of it compares to eq. (12).
         let lifts = |mode: &modes::Mode| {
             let most = mode.shape.iter().map(V3::norm).fold(0.0, f64::max);

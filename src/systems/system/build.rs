@@ -30,7 +30,7 @@ use crate::case::{FrictionLaw, Material, Seabed, Start, WaterSurface, current_gr
 use crate::numerics::{M3, V3};
 use crate::physics::sea::Sea;
 use crate::physics::{CurrentGrid, Suction};
-use crate::scene::{current_profile, per_axis, sea};
+use crate::scene::{Hydrodynamics, current_profile, sea};
 use crate::statics::catenary::SectionProperties;
 use crate::work_log::{self, Task};
 
@@ -324,10 +324,13 @@ impl Builder<'_> {
     }
 
     fn held(&self, given: &PointInputs, place: Option<V3>, placed: bool) -> Held {
-        let added = per_axis(&given.added_mass_kg);
         let Network {
             density, gravity, ..
         } = self.network;
+        let Hydrodynamics {
+            drag_area,
+            added_mass,
+        } = given.hydrodynamics(density);
         match given.kind {
             PointKind::Fixed | PointKind::Moved => Held::At(place.unwrap_or_default()),
             PointKind::Body => {
@@ -341,9 +344,9 @@ impl Builder<'_> {
                 weight: given.mass_kg * gravity,
                 buoyancy: density * given.displaced_m3(density) * gravity,
                 always_wet: given.water_surface == WaterSurface::Ignored,
-                moving_mass: added.add_scalar(given.mass_kg),
-                added_mass: added,
-                drag_area: per_axis(&given.drag_area_m2),
+                moving_mass: added_mass.add_scalar(given.mass_kg),
+                added_mass,
+                drag_area,
                 load: given.load_with_lift(density, gravity).into(),
                 friction: given.bed_friction,
                 slip_speed: self.file.seabed.as_ref().and_then(Seabed::slip_speed),

@@ -406,6 +406,8 @@ fn place_of(point: &PointKeys<'_>) -> Vec<Finding> {
         found.extend(point.load_n.if_given(problem, remedy));
         found.extend(point.added_mass_kg.if_given(problem, remedy));
         found.extend(point.drag_area_m2.if_given(problem, remedy));
+        let shape = point.shape.as_ref();
+        found.extend(shape.map(|_| point.place.finding_at("shape", problem, remedy)));
         if !on_body {
             found.extend(point.bed_friction.if_given(problem, remedy));
             found.extend(point.bed_area_m2.if_given(problem, remedy));

@@ -9,6 +9,7 @@
 pub mod ageing;
 pub mod along_bed;
 pub mod analysis;
+pub mod asked_modes;
 pub mod at_rest;
 pub mod balance;
 pub mod bed;

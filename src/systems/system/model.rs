@@ -16,10 +16,11 @@ use crate::case::fields::{Conditions, of, positive};
 use crate::case::schema::{table, words};
 use crate::case::{
     Attachment, CaseInfo, CheckInputs, Clump, Current, Environment, Floats, LoadCaseInputs, Mark,
-    Material, Modules, MotionInterpolation, OneOrMany, Output, PublishedCurve, Seabed, Solver,
-    Start, StatisticsInputs, Study, Trial, WaterSurface, Waves,
+    Material, Modes, Modules, MotionInterpolation, OneOrMany, Output, PayloadShape, PublishedCurve,
+    Seabed, Solver, Start, StatisticsInputs, Study, Trial, WaterSurface, Waves,
 };
 use crate::reference::{PublishedNumber, PublishedTrend};
+use crate::scene::{Hydrodynamics, shape_form};
 
 const BEARING: Conditions = &[("kind", &["free", "body"])];
 const ON_BODY: Conditions = &[("kind", &["body"])];
@@ -73,6 +74,8 @@ table! {
         solver: Option<Solver>;
         /// What is recorded and how often.
         output: Output, optional;
+        /// Natural modes about the rest of the system, reported with the results of a run.
+        modes: Option<Modes>;
         /// Files that the system names, carried with it, by their names.
         files: BTreeMap<String, Attachment>;
         /// Where an input comes from when the source does not print it, by key path.
@@ -177,15 +180,15 @@ table! {
         /// Mass in air.
         mass_kg: f64 = 0.0, "mass", range of(0.0, 1e10), matters FREE;
         /// Displaced volume.
-        volume_m3: f64 = 0.0, "volume", range of(0.0, 1e7), matters FREE;
+        volume_m3: Option<f64>, "volume", range of(0.0, 1e7), absent "by its wet mass or shape, or none", matters FREE;
         /// Mass that weighs as much as it does in the water, in the place of its volume; in air what it weighs by gravity.
         wet_mass_kg: Option<f64>, "wet mass", range of(-1e10, 1e10), absent "by its volume", matters FREE;
         /// Whether it leaves the water and floats at its surface; else it counts as under water at any height, as lines do.
         water_surface: WaterSurface = WaterSurface::Crossed, "water surface", matters FREE;
         /// Added mass: one number, or along x, y, z; for natural periods and in motion.
-        added_mass_kg: OneOrMany = 0.0, "added mass", kind NumberOrTriple, range of(0.0, 1e10), matters FREE;
+        added_mass_kg: Option<OneOrMany>, "added mass", kind NumberOrTriple, range of(0.0, 1e10), absent "by its shape, or none", matters FREE;
         /// Drag coefficient times area: one number, or along x, y, z.
-        drag_area_m2: OneOrMany = 0.0, "drag area", kind NumberOrTriple, range of(0.0, 1e6), matters FREE;
+        drag_area_m2: Option<OneOrMany>, "drag area", kind NumberOrTriple, range of(0.0, 1e6), absent "by its shape, or none", matters FREE;
         /// Steady load on it, along x, y, z.
         load_n: [f64; 3] = [0.0, 0.0, 0.0], "steady load", range of(-1e12, 1e12), matters FREE;
         /// Friction on the bed, by the push of the bed; in motion.
@@ -233,17 +236,32 @@ table! {
         /// Its motion grows smoothly from nothing over this time.
         ramp_s: f64 = 0.0, "motion ramp", range of(0.0, 1e6), matters MOVED;
     }
+    tables {
+        /// The form of what is at a free point, for volume, drag area and added mass that its other keys leave out.
+        shape: Option<PayloadShape>;
+    }
 }
 
 impl PointInputs {
-    /// The volume that it displaces in water of a density \[kg/m³\], by its wet mass where that is given \[m³\]; in air by that none.
+    /// The volume that it displaces in water of a density \[kg/m³\], by its wet mass where that is given, or by its shape \[m³\]; in air by a
+    /// wet mass none.
     #[must_use]
     pub fn displaced_m3(&self, density: f64) -> f64 {
         match self.wet_mass_kg {
-            None => self.volume_m3,
+            None => {
+                let by_shape = || self.shape.as_ref().map(|shape| shape_form(shape).volume);
+                self.volume_m3.or_else(by_shape).unwrap_or(0.0)
+            }
             Some(wet) if density > 0.0 => (self.mass_kg - wet) / density,
             Some(_) => 0.0,
         }
+    }
+
+    /// Drag area \[m²\] and added mass \[kg\] of it in water of a density \[kg/m³\].
+    #[must_use]
+    pub fn hydrodynamics(&self, density: f64) -> Hydrodynamics {
+        let given = [&self.drag_area_m2, &self.added_mass_kg];
+        Hydrodynamics::new(self.shape.as_ref(), given, density)
     }
 
     /// The steady load on it \[N\], and in air what by its wet mass lifts it against this gravity \[m/s²\].
@@ -263,11 +281,12 @@ impl PointInputs {
             position_m: None,
             body: None,
             mass_kg: 0.0,
-            volume_m3: 0.0,
+            volume_m3: None,
             wet_mass_kg: None,
             water_surface: WaterSurface::Crossed,
-            added_mass_kg: OneOrMany::One(0.0),
-            drag_area_m2: OneOrMany::One(0.0),
+            added_mass_kg: None,
+            drag_area_m2: None,
+            shape: None,
             load_n: [0.0; 3],
             bed_friction: 0.0,
             bed_area_m2: None,

@@ -8,6 +8,7 @@ use super::equilibrium::{SystemEquilibrium, SystemError};
 use super::loads;
 use super::model::SystemKeys;
 use super::motion::channels::{GAUGE, WHOLE};
+use super::motion::modes::{id_of_mode, not_asked};
 use super::network::Network;
 use super::rest::refused;
 use super::solved::SolvedSystem;
@@ -94,6 +95,9 @@ fn parts(name: &str) -> Option<(&'static SystemQuantity, &str, &str)> {
 /// Unit of the result of this name; empty where there is none.
 #[must_use]
 pub fn unit(name: &str) -> &'static str {
+    if let Some(mode) = id_of_mode(name) {
+        return mode.parts().0.unit();
+    }
     let Some((quantity, _, place)) = parts(name) else {
         return "";
     };
@@ -124,6 +128,9 @@ fn direction(place: &str) -> Option<(usize, usize)> {
 /// # Errors
 /// Why there is none, as a sentence.
 pub fn value(solved: &SolvedSystem, name: &str) -> Result<f64, String> {
+    if let Some(mode) = solved.asked_mode(name) {
+        return mode;
+    }
     match known_stiffness(solved, name) {
         Some(value) => Ok(value),
         None => value_at(&solved.network, &solved.rest, name),
@@ -298,6 +305,8 @@ pub fn main_results(solved: &SolvedSystem) -> Vec<String> {
     let found = periods(network, rest).unwrap_or_default();
     let count = found.numbered().count();
     names.extend((1..=count).map(|number| format!("period_s[{number}]")));
+    let asked = solved.asked_modes().unwrap_or_default().iter();
+    names.extend(asked.map(|number| number.id.parts().0.to_string()));
     names
 }
 
@@ -377,6 +386,9 @@ fn parts_of<'k>(keys: &'k SystemKeys<'_>) -> Vec<&'k str> {
 /// A result that does not exist.
 pub(super) fn unknown(key: &Key<'_, String>, keys: &SystemKeys<'_>) -> Option<Finding> {
     let name = key.get()?;
+    if id_of_mode(name).is_some() {
+        return not_asked(key, keys);
+    }
     if let Some((quantity, part, _)) = parts(name) {
         let of_part = quantity.of != SystemSubject::Period;
         return unknown_part(key, part, keys).filter(|_| of_part);

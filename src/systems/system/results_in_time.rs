@@ -3,6 +3,7 @@
 use std::iter;
 
 use super::model::{SystemFile, SystemKeys};
+use super::motion::modes::id_of_mode;
 use super::quantities;
 use crate::case::schema::Key;
 use crate::case::{ChannelId, Finding, QuantityId, Subject, of_result};
@@ -11,7 +12,8 @@ use crate::case::{ChannelId, Finding, QuantityId, Subject, of_result};
 #[must_use]
 pub fn id_in_time(name: &str) -> Option<QuantityId> {
     let id = name.parse().ok()?;
-    matches!(id, QuantityId::Statistic { .. }).then_some(id)
+    let is_in_time = matches!(id, QuantityId::Statistic { .. }) && id_of_mode(name).is_none();
+    is_in_time.then_some(id)
 }
 
 /// Whether a file states published values, trends or curves of its run in time.

@@ -4,6 +4,7 @@ use nalgebra::Matrix6;
 
 use super::ageing::SettledAge;
 use super::ageing::settled::settle;
+use super::asked_modes::AskedModes;
 use super::bounds::Contact;
 use super::build::{AgedParts, build, divide};
 use super::connected::{Loose, loose};
@@ -45,6 +46,8 @@ pub struct SolvedSystem {
     pub errors: ErrorsAtRest,
     /// Stiffness of the lines on each body about its origin \[N/m, N, N m\].
     pub stiffness: Vec<Matrix6<f64>>,
+    /// The numbers of natural modes that its file asks for, once they were found.
+    pub modes: AskedModes,
 }
 
 impl SolvedSystem {
@@ -151,6 +154,7 @@ pub fn solve_without_errors(
     let stiffness = stiffness.map_err(|error| refused(&network, &SystemError::Line(error)))?;
     Ok(SolvedSystem {
         errors: ErrorsAtRest::unknown(&network),
+        modes: AskedModes::default(),
         file,
         stability,
         stiffness,

@@ -11,7 +11,8 @@ use crate::modes::LineModes;
 use crate::msg::Effect;
 use crate::pane::PaneId;
 use crate::report::modes as views;
-use crate::state::{AppState, LineView};
+use crate::state::AppState;
+use crate::state::modes::ModesView;
 use crate::table::Table;
 use crate::update::export;
 use crate::update::motion::table_verb;
@@ -24,9 +25,9 @@ const BOTH: (u16, u16) = (110, 24);
 #[rustfmt::skip] // a table: one command a line
 const COMMANDS: &[Command] = &[
     main(CommandId::Down, &["j", "down"], "mode", "Select the next mode"),
-    main(CommandId::NextChart, &["]", "n"], "picture", "Show the mode along the line, or over the line at rest"),
+    main(CommandId::NextChart, &["]", "n"], "picture", "Show the mode along the lines, or over the lines at rest"),
     main(CommandId::Write, &["w"], "write", "Write the modes with their shapes as CSV"),
-    other(CommandId::PreviousChart, &["[", "p"], "", "Show the mode along the line, or over the line at rest"),
+    other(CommandId::PreviousChart, &["[", "p"], "", "Show the mode along the lines, or over the lines at rest"),
 ];
 
 pub(super) struct ModesPane;
@@ -39,8 +40,8 @@ pub fn is_narrow(state: &AppState) -> bool {
 }
 
 /// The modes computed last, if any.
-fn computed(line: &LineView) -> Option<Arc<LineModes>> {
-    match &line.modes.found {
+fn computed(view: &ModesView) -> Option<Arc<LineModes>> {
+    match &view.found {
         Some(Ok(found)) => Some(Arc::clone(found)),
         _ => None,
     }
@@ -64,38 +65,38 @@ impl Pane for ModesPane {
                 | CommandId::NextChart
                 | CommandId::PreviousChart
         );
-        let none = of_modes && computed(state.line()?).is_none();
+        let none = of_modes && computed(state.modes()?).is_none();
         none.then_some("There are no modes yet.")
     }
 
     fn update(&self, state: &mut AppState, id: CommandId) -> Option<Vec<Effect>> {
         let (verb, narrow) = (table_verb(state, id), is_narrow(state));
-        let (line, editor) = state.document.as_mut()?.line_and_editor()?;
+        let (view, editor) = state.document.as_mut()?.modes_and_editor()?;
         match id {
-            CommandId::NextChart | CommandId::PreviousChart => line.modes.over = !line.modes.over,
+            CommandId::NextChart | CommandId::PreviousChart => view.over = !view.over,
             CommandId::Write => {
                 let path = PathBuf::from(format!("{}-modes.csv", editor.stem()));
-                let text = computed(line).map(|modes| views::csv(&modes));
+                let text = computed(view).map(|modes| views::csv(&modes));
                 return Some(export::write(path, text, "The table of modes"));
             }
             _ => {
                 let verb = verb?;
-                let modes = computed(line)?;
+                let modes = computed(view)?;
                 let table = match narrow {
                     true => views::narrow(&modes),
                     false => views::table(&modes),
                 };
-                line.modes.pane.act(verb, &table);
+                view.pane.act(verb, &table);
             }
         }
         Some(Vec::new())
     }
 
     fn view(&self, painter: &mut Painter, area: Rect) {
-        let (Some(line), Some(editor)) = (painter.state.line(), painter.state.editor()) else {
+        let (Some(view), Some(editor)) = (painter.state.modes(), painter.state.editor()) else {
             return;
         };
-        let modes = match &line.modes.found {
+        let modes = match &view.found {
             Some(Ok(modes)) => modes,
             Some(Err(why)) => {
                 return painter.paragraph(area, &format!("There are no modes: {why}"));
@@ -124,15 +125,15 @@ impl Pane for ModesPane {
             notes: Vec::new(),
             ..whole
         };
-        painter.table(&line.modes.pane, &bare, table);
+        painter.table(&view.pane, &bare, table);
         status(
             painter,
             note,
-            line.modes.text != editor.text,
+            view.text != editor.text,
             &views::instability_notes(modes),
         );
-        let number = line.modes.pane.selected(&bare).unwrap_or(0);
-        shapes(painter, pictures, modes, number, both, line.modes.over);
+        let number = view.pane.selected(&bare).unwrap_or(0);
+        shapes(painter, pictures, modes, number, both, view.over);
     }
 }
 
@@ -140,7 +141,7 @@ impl Pane for ModesPane {
 fn status(painter: &mut Painter, line: Rect, old: bool, problems: &[String]) {
     let (words, style) = match (old, problems.first()) {
         (true, _) => (
-            "Of the case before the last edit; being computed again.",
+            "Of the file before the last edit; being computed again.",
             painter.theme.warning(),
         ),
         (false, Some(note)) => (note.as_str(), painter.theme.warning()),

@@ -44,9 +44,15 @@ fn panes(document: &mut Document) -> Vec<(String, &mut TablePane)> {
     let tabs = names.iter().map(|name| format!("tables: {name}"));
     let mut all: Vec<(String, &mut TablePane)> = tabs.zip(tables.iter_mut()).collect();
     all.push(("validation".to_owned(), checks_pane));
-    if let DocumentContent::Line(line) = content {
-        all.push(("nodes".to_owned(), &mut line.nodes_pane));
-        all.push(("modes".to_owned(), &mut line.modes.pane));
+    match content {
+        DocumentContent::Line(line) => {
+            all.push(("nodes".to_owned(), &mut line.nodes_pane));
+            all.push(("modes".to_owned(), &mut line.modes.pane));
+        }
+        DocumentContent::System(system) => {
+            all.push(("modes".to_owned(), &mut system.modes.pane));
+        }
+        _ => {}
     }
     all
 }
@@ -62,7 +68,9 @@ pub(super) fn memories_of_tables(document: &Document) -> Vec<TableMemory> {
     all.push(TableMemory::of_pane("validation", &document.checks_pane));
     if let Some(line) = document.line() {
         all.push(TableMemory::of_pane("nodes", &line.nodes_pane));
-        all.push(TableMemory::of_pane("modes", &line.modes.pane));
+    }
+    if let Some(modes) = document.content.modes() {
+        all.push(TableMemory::of_pane("modes", &modes.pane));
     }
     all.into_iter().flatten().collect()
 }

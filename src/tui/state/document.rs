@@ -7,6 +7,7 @@ use super::case_list::Filter;
 use super::document_content::DocumentContent;
 use super::document_kind::DocumentKind;
 use super::line::LineView;
+use super::modes::ModesView;
 use super::parameter_editor::ParameterEditor;
 use super::part_request::PartRequest;
 use super::parts::{PartKey, PartOf, Parts, ScreenPart};
@@ -137,6 +138,11 @@ impl Document {
                 checks: &[],
             }),
         }
+    }
+
+    /// Its natural modes, to be changed, and its text.
+    pub fn modes_and_editor(&mut self) -> Option<(&mut ModesView, &ParameterEditor)> {
+        Some((self.content.modes_mut()?, &self.editor))
     }
 
     /// The line case, to be changed, and its text.

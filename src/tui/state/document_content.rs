@@ -1,12 +1,20 @@
 //! What a file of each kind holds.
 
 use super::{
-    document_kind::DocumentKind, line::LineView, ropeway::RopewayView, runs_view::RunsView,
-    section::SectionView, ship::ShipView, sweeps::SweepsView, system::SystemView,
+    document_kind::DocumentKind,
+    line::LineView,
+    modes::{ModesOf, ModesView},
+    ropeway::RopewayView,
+    runs_view::RunsView,
+    section::SectionView,
+    ship::ShipView,
+    sweeps::SweepsView,
+    system::SystemView,
 };
 use crate::case::Attachment;
 use crate::kinds::FileType;
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 /// The kinds of file, with the result of the text.
 #[derive(Debug, Clone)]
@@ -72,6 +80,34 @@ impl DocumentContent {
         match self {
             Self::Line(line) => Some(&mut line.sweeps),
             Self::System(system) => Some(&mut system.sweeps),
+            _ => None,
+        }
+    }
+
+    /// The natural modes, where its kind has any.
+    #[must_use]
+    pub const fn modes(&self) -> Option<&ModesView> {
+        match self {
+            Self::Line(line) => Some(&line.modes),
+            Self::System(system) => Some(&system.modes),
+            _ => None,
+        }
+    }
+
+    /// The same, to be changed.
+    pub const fn modes_mut(&mut self) -> Option<&mut ModesView> {
+        match self {
+            Self::Line(line) => Some(&mut line.modes),
+            Self::System(system) => Some(&mut system.modes),
+            _ => None,
+        }
+    }
+
+    /// What its natural modes are of.
+    pub(crate) fn of_modes(&self) -> Option<ModesOf> {
+        match self {
+            Self::Line(line) => Some(ModesOf::Line(Box::new(line.case.clone()))),
+            Self::System(system) => Some(ModesOf::System(Arc::clone(&system.solved))),
             _ => None,
         }
     }

@@ -17,7 +17,7 @@ impl AppState {
     pub fn focused_table(&self) -> Option<Cow<'_, Table>> {
         let table = match self.focus() {
             PaneId::Trials => Cow::Owned(self.trials.as_ref()?.table(self.size.0)),
-            PaneId::Modes => match self.line()?.modes.found.as_ref()? {
+            PaneId::Modes => match self.modes()?.found.as_ref()? {
                 Ok(modes) if is_narrow(self) => Cow::Owned(mode_views::narrow(modes)),
                 Ok(modes) => Cow::Owned(mode_views::table(modes)),
                 Err(_) => return None,
@@ -51,7 +51,7 @@ impl AppState {
     pub fn table_pane(&self) -> Option<&TablePane> {
         match self.focus() {
             PaneId::Trials => Some(&self.trials.as_ref()?.pane),
-            PaneId::Modes => Some(&self.line()?.modes.pane),
+            PaneId::Modes => Some(&self.modes()?.pane),
             PaneId::Nodes => Some(&self.line()?.nodes_pane),
             PaneId::Validation => Some(&self.document.as_ref()?.checks_pane),
             PaneId::Tables => {
@@ -75,7 +75,7 @@ impl AppState {
     pub fn table_pane_mut(&mut self) -> Option<&mut TablePane> {
         match self.focus() {
             PaneId::Trials => Some(&mut self.trials.as_mut()?.pane),
-            PaneId::Modes => Some(&mut self.line_mut()?.modes.pane),
+            PaneId::Modes => Some(&mut self.modes_mut()?.pane),
             PaneId::Nodes => Some(&mut self.line_mut()?.nodes_pane),
             PaneId::Validation => Some(&mut self.document.as_mut()?.checks_pane),
             PaneId::Tables => {

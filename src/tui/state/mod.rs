@@ -64,6 +64,7 @@ use std::collections::VecDeque;
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use self::modes::ModesView;
 use self::sweeps::SweepsView;
 use super::bindings::KeyTable;
 use super::msg::Msg;
@@ -163,6 +164,17 @@ impl AppState {
     /// The line case that is open, to be changed.
     pub fn line_mut(&mut self) -> Option<&mut LineView> {
         self.document.as_mut()?.line_mut()
+    }
+
+    /// The natural modes of what is open.
+    #[must_use]
+    pub fn modes(&self) -> Option<&ModesView> {
+        self.document.as_ref()?.content.modes()
+    }
+
+    /// The same, to be changed.
+    pub fn modes_mut(&mut self) -> Option<&mut ModesView> {
+        self.document.as_mut()?.content.modes_mut()
     }
 
     /// The runs of what is open.

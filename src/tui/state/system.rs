@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use super::document_kind::{DocumentKind, KindInfo};
+use super::modes::ModesView;
 use super::parts::ScreenPart;
 use super::runs_view::RunsView;
 use super::sweeps::{NO_LOAD_CASES, SweepsView};
@@ -38,6 +39,8 @@ pub struct SystemView {
     pub runs_view: RunsView,
     /// The sweeps of its load cases.
     pub sweeps: SweepsView,
+    /// Natural modes.
+    pub modes: ModesView,
 }
 
 impl SystemView {
@@ -47,6 +50,7 @@ impl SystemView {
         Self {
             runs_view: RunsView::new(figures(&solved), false),
             sweeps: SweepsView::default(),
+            modes: ModesView::default(),
             solved: Arc::new(solved),
             analyses: None,
             checks: ValidationTable::default(),
@@ -75,8 +79,8 @@ impl SystemView {
     }
 }
 
-/// The panes of a system that is computed in time and has load cases; the first [`WITHOUT_SWEEPS`] are those of one without.
-const PANES: [PaneId; 10] = [
+/// The panes of a system that is computed in time and has load cases.
+const SWEPT_IN_MOTION: [PaneId; 11] = [
     PaneId::Inputs,
     PaneId::System,
     PaneId::Tables,
@@ -87,11 +91,25 @@ const PANES: [PaneId; 10] = [
     PaneId::Jobs,
     PaneId::Results,
     PaneId::Sweep,
+    PaneId::Modes,
 ];
-const WITHOUT_SWEEPS: usize = 9;
 
-/// The panes of a system at rest with load cases; the first [`AT_REST`] are those of one without.
-const SWEPT_AT_REST: [PaneId; 7] = [
+/// The same without load cases.
+const IN_MOTION: [PaneId; 10] = [
+    PaneId::Inputs,
+    PaneId::System,
+    PaneId::Tables,
+    PaneId::Validation,
+    PaneId::Charts,
+    PaneId::Runs,
+    PaneId::Report,
+    PaneId::Jobs,
+    PaneId::Results,
+    PaneId::Modes,
+];
+
+/// The panes of a system at rest with load cases.
+const SWEPT_AT_REST: [PaneId; 8] = [
     PaneId::Inputs,
     PaneId::System,
     PaneId::Tables,
@@ -99,8 +117,18 @@ const SWEPT_AT_REST: [PaneId; 7] = [
     PaneId::Results,
     PaneId::Sweep,
     PaneId::Jobs,
+    PaneId::Modes,
 ];
-const AT_REST: usize = 5;
+
+/// The same without load cases.
+const AT_REST: [PaneId; 6] = [
+    PaneId::Inputs,
+    PaneId::System,
+    PaneId::Tables,
+    PaneId::Validation,
+    PaneId::Results,
+    PaneId::Modes,
+];
 
 /// A result that a system at rest has, or that its run will have.
 #[derive(Debug, Clone)]
@@ -165,10 +193,10 @@ impl DocumentKind for SystemView {
             title: &self.solved.file.about.title,
             source: &self.solved.file.about.source,
             panes: match (self.has_runs(), self.has_sweeps()) {
-                (true, true) => &PANES,
-                (true, false) => &PANES[..WITHOUT_SWEEPS],
+                (true, true) => &SWEPT_IN_MOTION,
+                (true, false) => &IN_MOTION,
                 (false, true) => &SWEPT_AT_REST,
-                (false, false) => &SWEPT_AT_REST[..AT_REST],
+                (false, false) => &AT_REST,
             },
             first: PaneId::System,
             tabs: &[

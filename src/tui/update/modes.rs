@@ -7,12 +7,12 @@ use crate::msg::Effect;
 use crate::pane::PaneId;
 use crate::state::AppState;
 
-/// Asks for the modes of the edited case, where they are seen and not known.
+/// Asks for the modes of the edited file, where they are seen and not known.
 pub(super) fn follow(state: &mut AppState) -> Option<Effect> {
     let document = state.document.as_mut()?;
     let pane = document.pane;
-    let (line, editor) = document.line_and_editor()?;
-    let view = &mut line.modes;
+    let of = document.content.of_modes();
+    let (view, editor) = document.modes_and_editor()?;
     match pane {
         PaneId::Modes => view.beside = true,
         PaneId::Inputs | PaneId::Runs | PaneId::Jobs => {}
@@ -24,7 +24,7 @@ pub(super) fn follow(state: &mut AppState) -> Option<Effect> {
     }
     view.going = Some(editor.text.clone());
     Some(Effect::FindModes {
-        case: Box::new(line.case.clone()),
+        of: of?,
         text: editor.text.clone(),
     })
 }
@@ -35,12 +35,12 @@ pub(super) fn computed(
     text: String,
     found: Result<Arc<LineModes>, String>,
 ) -> Vec<Effect> {
-    if let Some(line) = state.line_mut()
-        && line.modes.going.as_ref() == Some(&text)
+    if let Some(modes) = state.modes_mut()
+        && modes.going.as_ref() == Some(&text)
     {
-        line.modes.going = None;
-        line.modes.found = Some(found);
-        line.modes.text = text;
+        modes.going = None;
+        modes.found = Some(found);
+        modes.text = text;
     }
     Vec::new()
 }

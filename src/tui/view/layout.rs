@@ -74,13 +74,13 @@ pub fn panes(screen: Rect, state: &AppState) -> Vec<(PaneId, Rect)> {
     let body = areas(screen).body;
     let (focus, modes) = (
         state.focus(),
-        state.line().is_some_and(|line| line.modes.beside),
+        state.modes().is_some_and(|modes| modes.beside),
     );
     if focus == PaneId::Model {
         return vec![(focus, body)];
     }
     if state.line().is_none() {
-        return file_panes(screen, body, focus, state.panes());
+        return file_panes((screen, body), (focus, modes), state.panes());
     }
     if screen.width < WIDE {
         if focus == PaneId::Inputs && has_room(body, state) {
@@ -194,9 +194,8 @@ pub fn is_band(id: PaneId, state: &AppState) -> bool {
 
 /// The visible panes of a file other than a line case: its inputs, its drawing, and its tables or checks.
 fn file_panes(
-    screen: Rect,
-    body: Rect,
-    focus: PaneId,
+    (screen, body): (Rect, Rect),
+    (focus, modes): (PaneId, bool),
     panes: &'static [PaneId],
 ) -> Vec<(PaneId, Rect)> {
     if screen.width < WIDE {
@@ -208,10 +207,10 @@ fn file_panes(
     let [left, right] =
         Layout::horizontal([Constraint::Length(keys), Constraint::Min(0)]).areas(body);
     if !full {
-        let other = if focus == PaneId::Inputs {
-            drawing
-        } else {
-            focus
+        let other = match focus {
+            PaneId::Inputs if modes => PaneId::Modes,
+            PaneId::Inputs => drawing,
+            focus => focus,
         };
         return vec![(PaneId::Inputs, left), (other, right)];
     }
@@ -226,6 +225,9 @@ fn file_panes(
         PaneId::Charts | PaneId::Runs | PaneId::Report | PaneId::Jobs | PaneId::Sweep
     ) {
         return run_panes(left, right, focus);
+    }
+    if modes {
+        return vec![(PaneId::Inputs, left), (PaneId::Modes, right)];
     }
     let [upper, lower] =
         Layout::vertical([Constraint::Fill(shares.0), Constraint::Fill(shares.1)]).areas(right);

@@ -2,15 +2,12 @@
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 
-use seacable::modes;
 use seacable::study::hard_cases;
 use seacable::table::{Table, explanations};
 use seacable::tui::msg::FileRead;
 use seacable::tui::pane::PaneId;
 use seacable::tui::state::Overlay;
-use seacable::tui::state::modes::COUNT;
 use seacable::tui::state::reading::read_file;
 use seacable::tui::{Effect, Msg};
 
@@ -58,12 +55,8 @@ fn of_file(name: &str, found: &mut BTreeSet<String>) {
     let mut desk = opened(name);
     desk.finish_jobs();
     for effect in std::mem::take(&mut desk.asked) {
-        if let Effect::FindModes { case, text } = effect {
-            let modes = modes::of_case(&case, COUNT);
-            desk.tell(Msg::Modes(
-                text,
-                modes.map(Arc::new).map_err(|why| why.to_string()),
-            ));
+        if let Effect::FindModes { of, text } = effect {
+            desk.tell(Msg::Modes(text, of.find()));
         }
     }
     for pane in desk.state.panes() {

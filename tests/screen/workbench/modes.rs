@@ -1,15 +1,12 @@
 //! Natural modes and trials of hard cases on the screen.
 
 use std::path::PathBuf;
-use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
 use seacable::case;
-use seacable::modes;
 use seacable::study::hard_cases::{self, HardCase, TrialRun};
 use seacable::tui::msg::FileRead;
 use seacable::tui::pane::PaneId;
-use seacable::tui::state::modes::COUNT;
 use seacable::tui::state::trials::{TrialProgress, TrialsOf};
 use seacable::tui::{Effect, Msg};
 
@@ -35,14 +32,12 @@ fn answer_modes(desk: &mut Desk) -> usize {
     let asked: Vec<_> = std::mem::take(&mut desk.asked)
         .into_iter()
         .filter_map(|effect| match effect {
-            Effect::FindModes { case, text } => Some((case, text)),
+            Effect::FindModes { of, text } => Some((of, text)),
             _ => None,
         })
         .collect();
-    for (case, text) in &asked {
-        let found = modes::of_case(case, COUNT);
-        let found = found.map(Arc::new).map_err(|why| why.to_string());
-        desk.tell(Msg::Modes(text.clone(), found));
+    for (of, text) in &asked {
+        desk.tell(Msg::Modes(text.clone(), of.find()));
     }
     asked.len()
 }
@@ -82,6 +77,24 @@ fn modes_are_found_in_the_background_drawn_and_followed() {
     // The charts take the place beside the inputs back.
     desk.keys("2");
     assert!(!desk.state.line().unwrap().modes.beside);
+}
+
+/// The pane of modes of a whole system, on both sizes; an edit is followed beside the inputs.
+#[test]
+fn a_system_shows_the_modes_of_all_its_lines() {
+    let mut desk = Desk::with_system(SMALL);
+    desk.keys("5");
+    assert!(desk.screen().contains("computed in the background"));
+    assert_eq!(answer_modes(&mut desk), 1);
+    snapshot("tui_system_modes_80x24", &desk);
+    desk.tell(Msg::Resize(LARGE.0, LARGE.1));
+    desk.keys("j");
+    snapshot("tui_system_modes_200x60", &desk);
+    desk.keys("1");
+    assert!(desk.state.modes().unwrap().beside);
+    assert!(desk.screen().contains("mostly"), "{}", desk.screen());
+    desk.keys("2");
+    assert!(!desk.state.modes().unwrap().beside);
 }
 
 #[test]

@@ -72,7 +72,8 @@ fn tabs_and_views_of_models_show_what_was_answered_and_nothing_else() {
                     | PaneId::Results
                     | PaneId::Report
                     | PaneId::Sweep
-                    | PaneId::Jobs => continue,
+                    | PaneId::Jobs
+                    | PaneId::Modes => continue,
                     PaneId::Tables => desk.state.document.as_ref().unwrap().tables.len(),
                     _ => 1,
                 };

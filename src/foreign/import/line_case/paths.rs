@@ -1,6 +1,6 @@
 //! Key paths of a case by the paths that its system has them at.
 
-use super::bears::{bears_by_mass, bears_by_volume};
+use super::bears::{bears_by_mass, bears_by_shape, bears_by_volume};
 use super::lines::{line_at, line_of};
 use super::places::{end_of, is_on_vessel, moves_at_rest, on_free_end, vessel_name};
 use super::source::{LETTERS, LineSource};
@@ -18,7 +18,7 @@ pub(super) fn translated(source: &LineSource<'_>, path: &str) -> Option<String> 
         ] => Some(path.to_owned()),
         ["seabed", ..] => Some(path.to_owned()),
         ["waves", rest @ ..] => Some(format!("waves.1.{}", rest.join("."))),
-        ["solver", ..] => Some(path.to_owned()),
+        ["solver" | "modes", ..] => Some(path.to_owned()),
         [
             "output",
             "interval_s" | "shape_interval_s" | "response_from_s" | "energy",
@@ -29,6 +29,7 @@ pub(super) fn translated(source: &LineSource<'_>, path: &str) -> Option<String> 
         }
         ["ends", letter @ ("a" | "b"), key, axis @ ..] => of_end(source, letter, key, axis),
         ["payload", key] => of_payload(source, key),
+        ["payload", "shape", key] => of_shape(source, key),
         _ => None,
     }
 }
@@ -36,8 +37,9 @@ pub(super) fn translated(source: &LineSource<'_>, path: &str) -> Option<String> 
 /// Whether a number of the system was computed by the density of the water.
 fn is_derived_by_density(source: &LineSource<'_>) -> bool {
     let derives = |payload: &Payload| {
-        let by_shape = payload.shape.is_some() && payload.added_mass_kg.is_none();
-        let by_mass = payload.rotation.is_some() || bears_by_volume(source, payload);
+        let turns = payload.rotation.is_some();
+        let by_shape = turns && payload.shape.is_some() && payload.added_mass_kg.is_none();
+        let by_mass = turns || bears_by_volume(source, payload);
         by_shape || (payload.wet_mass_kg.is_some() && by_mass)
     };
     let mut clumps = LETTERS
@@ -186,4 +188,12 @@ fn of_payload(source: &LineSource<'_>, key: &str) -> Option<String> {
         _ => return None,
     };
     Some(format!("{table}.{name}.{own}"))
+}
+
+/// A key of the shape of the payload, where nothing else follows from that.
+fn of_shape(source: &LineSource<'_>, key: &str) -> Option<String> {
+    let payload = source.case.payload.as_ref()?;
+    let is_number = payload.rotation.is_some() || bears_by_shape(source, payload);
+    let name = &source.case.ends.b.name;
+    (!is_number).then(|| format!("points.{name}.shape.{key}"))
 }

@@ -1,16 +1,15 @@
 //! The payload as a free point, and what of it a system cannot state.
 
 use super::bearing;
-use super::bears::bears_by_volume;
+use super::bears::{bears_by_shape, bears_by_volume};
 use super::copied::{coefficient, value_of};
 use super::end_clumps::of_weight;
 use super::source::{DENSITY, LineSource};
 use super::turning_payload;
-use crate::case::{OneOrMany, Payload};
+use crate::case::Payload;
 use crate::import::fault::Fault;
-use crate::import::to_case::case_text::{CaseText, number, numbers};
-use crate::numerics::V3;
-use crate::scene::{payload_bed_area, per_axis, shape_form};
+use crate::import::to_case::case_text::{CaseText, number};
+use crate::scene::{Hydrodynamics, payload_bed_area, shape_form};
 
 /// What of the payload acts and a free point cannot state.
 pub(super) fn faults(source: &LineSource<'_>) -> Vec<Fault> {
@@ -31,7 +30,10 @@ fn derived(source: &LineSource<'_>, payload: &Payload) -> Vec<Fault> {
     let mut found = Vec::new();
     let shape = source.node(&["payload", "shape"]);
     let entries = shape.map_or(&[][..], |node| node.entries());
-    for entry in entries.iter().filter(|entry| entry.key != "kind") {
+    // A point has the shape itself; what bears on the bed by it is a number.
+    let by_number = payload.rotation.is_some() || bears_by_shape(source, payload);
+    let entries = entries.iter().filter(|entry| entry.key != "kind");
+    for entry in entries.filter(|_| by_number) {
         found.extend(source.fault_of_expression(&["payload", "shape", &entry.key]));
     }
     if bears_by_volume(source, payload) {
@@ -65,7 +67,7 @@ fn volume(source: &LineSource<'_>, payload: &Payload) -> Vec<Fault> {
     found
 }
 
-/// Writes the displaced volume of the payload, where it is not that of its shape.
+/// Writes the displaced volume of a payload that turns.
 pub(super) fn write_volume(system: &mut CaseText<'_>, source: &LineSource<'_>, payload: &Payload) {
     if payload.wet_mass_kg.is_none()
         && let Some(node) = source.node(&["payload", "volume_m3"])
@@ -93,24 +95,11 @@ pub(super) fn write_volume(system: &mut CaseText<'_>, source: &LineSource<'_>, p
     }
 }
 
-/// Drag area \[m²\] and added mass \[kg\] of the payload along x, y, z.
-pub(super) struct Hydrodynamics {
-    pub(super) drag_area: V3,
-    pub(super) added_mass: V3,
-}
-
-/// As they are given, or follow from the shape.
+/// Drag area and added mass of the payload, as they are given, or follow from the shape.
 pub(super) fn hydrodynamics(source: &LineSource<'_>, payload: &Payload) -> Hydrodynamics {
-    let form = payload.shape.as_ref().map(shape_form);
     let density = source.case.environment.water_density_kg_per_m3;
-    let given = |value: &Option<OneOrMany>| value.as_ref().map(per_axis);
-    let by_form = |value: Option<V3>| value.unwrap_or_default();
-    Hydrodynamics {
-        drag_area: given(&payload.drag_area_m2)
-            .unwrap_or_else(|| by_form(form.map(|form| form.drag_area))),
-        added_mass: given(&payload.added_mass_kg)
-            .unwrap_or_else(|| by_form(form.map(|form| form.added_volume * density))),
-    }
+    let given = [&payload.drag_area_m2, &payload.added_mass_kg];
+    Hydrodynamics::new(payload.shape.as_ref(), given, density)
 }
 
 /// Writes mass, volume, drag area and added mass of the payload as a point.
@@ -119,37 +108,37 @@ pub(super) fn write(system: &mut CaseText<'_>, source: &LineSource<'_>, payload:
         let mass = value_of(source, node);
         system.given("mass_kg", &mass, &node.span, "");
     }
-    match source.node(&["payload", "wet_mass_kg"]) {
-        Some(node) => system.given("wet_mass_kg", &value_of(source, node), &node.span, ""),
-        None => write_volume(system, source, payload),
+    for key in ["wet_mass_kg", "volume_m3"] {
+        if let Some(node) = source.node(&["payload", key]) {
+            system.given(key, &value_of(source, node), &node.span, "");
+        }
     }
     for (key, value) in [
         ("drag_area_m2", &payload.drag_area_m2),
         ("added_mass_kg", &payload.added_mass_kg),
     ] {
-        if let Some(value) = value {
-            coefficient(system, source, &["payload", key], value);
+        match value {
+            // Beside a shape nothing is something else than what the shape gives.
+            Some(value) if value.is_zero() && payload.shape.is_some() => {
+                if let Some(node) = source.node(&["payload", key]) {
+                    system.given(key, "0.0", &node.span, "");
+                }
+            }
+            Some(value) => coefficient(system, source, &["payload", key], value),
+            None => {}
         }
     }
-    of_shape(system, source, payload);
+    shape(system, source);
     let area = payload_bed_area(payload, &source.case.environment);
     bearing::write(system, source, &["payload"], area);
 }
 
-/// Drag area and added mass that only the shape gives.
-fn of_shape(system: &mut CaseText<'_>, source: &LineSource<'_>, payload: &Payload) {
-    if payload.shape.is_none() {
-        return;
-    }
-    let of = hydrodynamics(source, payload);
-    let mut all = |key: &str, value: V3| {
-        let value = numbers(&[value.x, value.y, value.z]);
-        system.assumed(key, &value, "by its shape");
-    };
-    if payload.drag_area_m2.is_none() {
-        all("drag_area_m2", of.drag_area);
-    }
-    if payload.added_mass_kg.is_none() {
-        all("added_mass_kg", of.added_mass);
+/// Writes the shape of the payload, by keys of its point.
+fn shape(system: &mut CaseText<'_>, source: &LineSource<'_>) {
+    let shape = source.node(&["payload", "shape"]);
+    for entry in shape.map_or(&[][..], |shape| shape.entries()) {
+        let key = format!("shape.{}", entry.key);
+        let value = value_of(source, &entry.node);
+        system.given(&key, &value, &entry.node.span, "");
     }
 }

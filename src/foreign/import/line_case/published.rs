@@ -67,6 +67,10 @@ impl<'c> CaseResult<'c> {
                 Subject::along(*quantity, LINE)
             }
             of @ Subject::Energy(_) => of.clone(),
+            // Of the system at rest, and without a statistic.
+            of @ (Subject::ModeFrequency(..) | Subject::NearestMode(_)) => {
+                return Some(of.to_string());
+            }
             _ => return None,
         };
         let id = QuantityId::new(of, self.statistic, self.within).numbered(self.nth);

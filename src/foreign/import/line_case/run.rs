@@ -51,7 +51,7 @@ fn gauge(system: &mut CaseText<'_>, source: &LineSource<'_>) {
     }
 }
 
-/// Writes how the system is computed, and what is recorded of a run in time.
+/// Writes how the system is computed, what is recorded of a run in time, and the natural modes that are asked for.
 pub(super) fn write(system: &mut CaseText<'_>, source: &LineSource<'_>) {
     let solver = source.node(&["solver"]);
     system.table("[solver]", solver.map(|node| &node.span));
@@ -63,6 +63,7 @@ pub(super) fn write(system: &mut CaseText<'_>, source: &LineSource<'_>) {
         system.assumed("duration_s", &duration, "as a case leaves it out");
     }
     output(system, source);
+    copy(system, source, "modes");
 }
 
 /// Writes what is recorded; forces on held ends, which a line leaves out only where its case says so.

@@ -3,7 +3,7 @@
 
 use super::bearing;
 use super::copied::{bare, value_of};
-use super::payload::{Hydrodynamics, hydrodynamics, write_volume};
+use super::payload::{hydrodynamics, write_volume};
 use super::places::{bottom_point, hang_point};
 use super::source::{DENSITY, LineSource};
 use super::start;
@@ -11,7 +11,7 @@ use crate::case::{Payload, Rotation};
 use crate::import::fault::Fault;
 use crate::import::to_case::case_text::{CaseText, numbers, text};
 use crate::numerics::V3;
-use crate::scene::payload_bed_area;
+use crate::scene::{Hydrodynamics, payload_bed_area};
 
 /// What of it a body cannot state.
 pub(super) fn faults(source: &LineSource<'_>, rotation: &Rotation) -> Vec<Fault> {

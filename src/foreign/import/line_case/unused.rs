@@ -8,12 +8,6 @@ use super::traveller;
 use super::trials::CarriedTrials;
 use crate::case::StartShape;
 
-/// Tables and keys that other views of a case are of, and what a system has in their place.
-const VIEWS: [(&[&str], &str); 1] = [(
-    &["modes"],
-    "the natural modes of the line, which `seacable modes` has of the case",
-)];
-
 /// Keys of what bears on a bed, without effect where there is none.
 const BEARING: [&str; 4] = [
     "bed_area_m2",
@@ -25,11 +19,6 @@ const BEARING: [&str; 4] = [
 /// The remarks, a sentence each.
 pub(super) fn remarks(source: &LineSource<'_>, trials: &CarriedTrials) -> Vec<String> {
     let mut left_out: Vec<String> = Vec::new();
-    for (path, what) in VIEWS {
-        if source.node(path).is_some() {
-            left_out.push((*what).to_owned());
-        }
-    }
     let trials = trials.left_out(source);
     if !trials.is_empty() {
         left_out.push(format!(

@@ -200,8 +200,8 @@ table! {
 }
 
 variants! {
-    /// The form of a payload.
-    pub enum PayloadShape => ShapeKeys by kind, "shape", "Form of the payload." {
+    /// The form of a payload, or of what is at a point of a system.
+    pub enum PayloadShape => ShapeKeys by kind, "shape", "Form of the body." {
         /// A box.
         Box(BoxShape) = "box",
         /// A sphere and an upright cylinder.

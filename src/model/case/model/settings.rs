@@ -170,7 +170,7 @@ table! {
 }
 
 table! {
-    /// Natural modes about the static shape, reported with the results of a run.
+    /// Natural modes about the static shape of a line or about the rest of a system, reported with the results of a run.
     #[derive(Debug, Clone, PartialEq)]
     pub struct Modes => ModesKeys {
         /// How many natural modes, the lowest first.

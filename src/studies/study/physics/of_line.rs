@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 use super::of_material::{self, HasMaterials};
 use super::{HasEffects, ScenePart};
 use crate::case::{
-    Case, Clump, EndKind, Floats, Material, Method, Modules, OneOrMany, StudyPoint, Subject,
-    WaterSurface, WaveKind, Waves, channels, kind, write,
+    Case, Clump, EndKind, Floats, Material, Method, Modules, OneOrMany, PayloadShape, StudyPoint,
+    Subject, WaterSurface, WaveKind, Waves, channels, kind, write,
 };
 
 impl HasMaterials for Case {
@@ -133,14 +133,18 @@ pub(super) fn clear(values: &mut OneOrMany) {
     }
 }
 
+/// Sets what is given, or follows from a shape, to nothing.
+pub(super) fn clear_given(value: &mut Option<OneOrMany>, shape: Option<&PayloadShape>) {
+    match value {
+        Some(value) => clear(value),
+        None if shape.is_some() => *value = Some(OneOrMany::One(0.0)),
+        None => {}
+    }
+}
+
 fn without_body_drag(case: &mut Case) {
     if let Some(payload) = &mut case.payload {
-        match &mut payload.drag_area_m2 {
-            Some(area) => clear(area),
-            // The drag area of its shape.
-            None if payload.shape.is_some() => payload.drag_area_m2 = Some(OneOrMany::One(0.0)),
-            None => {}
-        }
+        clear_given(&mut payload.drag_area_m2, payload.shape.as_ref());
     }
     case.traveller
         .iter_mut()
@@ -169,11 +173,7 @@ pub(super) fn without_drag_on_line(
 
 fn without_body_added_mass(case: &mut Case) {
     if let Some(payload) = &mut case.payload {
-        match &mut payload.added_mass_kg {
-            Some(mass) => clear(mass),
-            None if payload.shape.is_some() => payload.added_mass_kg = Some(OneOrMany::One(0.0)),
-            None => {}
-        }
+        clear_given(&mut payload.added_mass_kg, payload.shape.as_ref());
     }
     without_added_mass_on_line(&mut case.clumps, &mut case.floats);
 }

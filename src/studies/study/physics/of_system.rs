@@ -2,7 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use super::of_line::{clear, flatten, without_added_mass_on_line, without_drag_on_line};
+use super::of_line::{
+    clear, clear_given, flatten, without_added_mass_on_line, without_drag_on_line,
+};
 use super::of_material::{self, HasMaterials};
 use super::{HasEffects, ScenePart};
 use crate::case::Method;
@@ -153,7 +155,7 @@ fn sections(system: &mut SystemFile) -> impl Iterator<Item = &mut LineSection> {
 
 fn without_body_drag(system: &mut SystemFile) {
     for point in system.points.values_mut() {
-        clear(&mut point.drag_area_m2);
+        clear_given(&mut point.drag_area_m2, point.shape.as_ref());
     }
     for section in sections(system) {
         clear(&mut section.clump_drag_area_m2);
@@ -177,7 +179,7 @@ fn without_body_drag(system: &mut SystemFile) {
 
 fn without_body_added_mass(system: &mut SystemFile) {
     for point in system.points.values_mut() {
-        clear(&mut point.added_mass_kg);
+        clear_given(&mut point.added_mass_kg, point.shape.as_ref());
     }
     for section in sections(system) {
         clear(&mut section.clump_added_mass_kg);

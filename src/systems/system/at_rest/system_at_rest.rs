@@ -180,13 +180,15 @@ impl Computation for SystemAtRest {
             wall_s: clock.elapsed().as_secs_f64(),
             companions_wall_s: 0.0,
         };
-        let computed = Computed {
+        let mut computed = Computed {
             outcome: MarchResult::without_steps(RunState::Done, None, work(&solved)),
             settings: settings(&solved),
             cost,
             record: record(&solved),
             ..Computed::failed(String::new())
         };
+        let modes = solved.asked_modes();
+        computed.take_modes(modes.map(<[_]>::to_vec).map_err(str::to_owned));
         self.found.get_or_init(|| solved);
         computed
     }

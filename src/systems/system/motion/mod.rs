@@ -44,6 +44,7 @@ mod let_go;
 mod line_ends;
 mod line_start;
 mod mesh_of_ends;
+pub mod modes;
 pub mod motion_plan;
 pub mod moving_system;
 mod new_node;

@@ -58,21 +58,9 @@ pub struct Start {
 /// # Errors
 /// [`UnsolvedSystem`], as for a system at rest; divided lines on their bed that do not come to rest.
 pub fn start(solved: &SolvedSystem, segment: f64) -> Result<Start, UnsolvedSystem> {
-    let DividedAtRest {
-        network,
-        held,
-        placement,
-        lines,
-    } = divided_at_rest(solved, segment)?;
-    let (mut system, mut state) = at_rest(held, &placement, &lines);
-    drop(lines);
-    system.prescribe(0.0, &mut state);
-    still(&mut state);
-    system.follow(&mut state);
-    let iterations = settle(&system, &mut state).map_err(|error| refused(&system, &error))?;
-    system.prescribe(0.0, &mut state);
-    system.follow(&mut state);
-    system.begin_contacts(&mut state.joints);
+    let divided = divided_at_rest(solved, segment, Begin::AsTheFileHasIt)?;
+    let network = divided.network.clone();
+    let (mut system, mut state, iterations) = settled(divided)?;
     for (payout, force) in holding(&system, &state).into_iter().enumerate() {
         system.payouts[payout].holding = Some(force);
     }
@@ -93,6 +81,50 @@ pub fn start(solved: &SolvedSystem, segment: f64) -> Result<Start, UnsolvedSyste
     })
 }
 
+/// The equilibrium of a system whose segments are so many times as long, of what begins a run off it too.
+///
+/// # Errors
+/// As [`start`].
+pub(super) fn rest(
+    solved: &SolvedSystem,
+    segment: f64,
+) -> Result<(MovingSystem, SystemState), UnsolvedSystem> {
+    let (system, mut state, _) = settled(divided_at_rest(solved, segment, Begin::AtRest)?)?;
+    // What is moved from the start on at full speed is at rest too.
+    still(&mut state);
+    system.follow(&mut state);
+    Ok((system, state))
+}
+
+/// Divided lines with points and bodies at rest together, and the iterations that took.
+fn settled(divided: DividedAtRest) -> Result<(MovingSystem, SystemState, u64), UnsolvedSystem> {
+    let DividedAtRest {
+        held,
+        placement,
+        lines,
+        ..
+    } = divided;
+    let (system, mut state) = at_rest(held, &placement, &lines);
+    drop(lines);
+    system.prescribe(0.0, &mut state);
+    still(&mut state);
+    system.follow(&mut state);
+    let iterations = settle(&system, &mut state).map_err(|error| refused(&system, &error))?;
+    system.prescribe(0.0, &mut state);
+    system.follow(&mut state);
+    system.begin_contacts(&mut state.joints);
+    Ok((system, state, iterations))
+}
+
+/// Where what a file displaces, places or sets moving at the start begins.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Begin {
+    /// There.
+    AsTheFileHasIt,
+    /// At rest with everything else, unless nothing but its place at the start holds it.
+    AtRest,
+}
+
 /// A system whose lines are divided, at rest.
 struct DividedAtRest {
     /// The system.
@@ -107,12 +139,19 @@ struct DividedAtRest {
 
 /// The divided lines, each at rest between its ends where the system rests, with what is moved, or placed by the file, where it is at time
 /// zero. Friction of the bed acts by springs from where a line was laid: for these ends.
-fn divided_at_rest(solved: &SolvedSystem, segment: f64) -> Result<DividedAtRest, UnsolvedSystem> {
+fn divided_at_rest(
+    solved: &SolvedSystem,
+    segment: f64,
+    begin: Begin,
+) -> Result<DividedAtRest, UnsolvedSystem> {
     let none = AgedParts::new();
     let parts = solved.age.as_ref().map_or(&none, |age| &age.parts);
     let (file, mut network) = of_mesh(solved, parts, segment)?;
     if file.is_run_at_rest() {
         leave_motion_out(&mut network);
+    }
+    if begin == Begin::AtRest {
+        leave_start_out(&mut network, &solved.dropped);
     }
     move_to_start(&mut network);
     let closed = held(&network);
@@ -162,12 +201,24 @@ fn leave_motion_out(network: &mut Network) {
         if let Some(motion) = &mut point.motion {
             motion.course = MotionPath::Still;
         }
-        if let Held::Free(free) = &mut point.held {
-            free.initial = PointInitial::default();
-        }
     }
     for body in &mut network.bodies {
         body.motion = None;
+    }
+    leave_start_out(network, &[]);
+}
+
+/// Leaves out how what is free begins a run in time off its equilibrium, but for what is named: nothing else holds that.
+fn leave_start_out(network: &mut Network, kept: &[String]) {
+    for point in &mut network.points {
+        if let Held::Free(free) = &mut point.held
+            && !kept.contains(&point.name)
+        {
+            free.initial = PointInitial::default();
+        }
+    }
+    let bodies = network.bodies.iter_mut();
+    for body in bodies.filter(|body| !kept.contains(&body.name)) {
         body.initial = BodyInitial::default();
     }
     for line in &mut network.lines {

@@ -199,6 +199,10 @@ impl Computation for SystemInTime {
         run.warnings.append(&mut run.record.warnings);
         run.warnings.extend(notes(&self.solved, begun, &plan));
         run.warnings.extend(missing);
+        if run.has_record() {
+            let modes = self.solved.asked_modes();
+            run.take_modes(modes.map(<[_]>::to_vec).map_err(str::to_owned));
+        }
         run
     }
 
