@@ -204,9 +204,14 @@ pub(super) fn modes_object(
         let (part, direction) = mode.names(&solved.network);
         json!({"period_s": mode.period_s, "part": part, "direction": direction})
     });
+    let whole = run_json::each_mode(found).into_iter().zip(&found.modes);
+    let whole = whole.map(|(mut mode, named)| {
+        mode["mostly"] = json!(named.most);
+        mode
+    });
     json!({
         "kind": "modes",
-        "whole": run_json::each_mode(found),
+        "whole": whole.collect::<Vec<_>>(),
         "modes": each.collect::<Vec<_>>(),
         "complete_to_s": bodies.and_then(|found| found.complete_to_s),
     })

@@ -57,13 +57,13 @@ pub fn modes(found: &LineModes) -> Value {
     json!({"kind": "line_modes", "modes": each_mode(found)})
 }
 
-/// Each natural mode of lines, with what moves most where that is more than a line.
+/// Each natural mode of lines.
 #[must_use]
 pub fn each_mode(found: &LineModes) -> Vec<Value> {
     let each = found.modes.iter().map(|named| {
         let mode = &named.mode;
         let vibrates = mode.eigenvalue > 0.0;
-        let mut object = json!({
+        json!({
             "frequency_hz": vibrates.then(|| mode.frequency_hz()),
             "error_hz": named.error_hz.filter(|_| vibrates),
             "period_s": vibrates.then(|| 1.0 / mode.frequency_hz()),
@@ -71,11 +71,7 @@ pub fn each_mode(found: &LineModes) -> Vec<Value> {
             "of_kind": named.of_kind,
             "half_waves": mode.half_waves,
             "out_of_plane": mode.out_of_plane,
-        });
-        if let Some(most) = &named.most {
-            object["mostly"] = json!(most);
-        }
-        object
+        })
     });
     each.collect()
 }

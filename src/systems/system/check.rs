@@ -359,6 +359,12 @@ fn headings<'k, 'n: 'k>(rows: impl Iterator<Item = &'k Key<'n, f64>>) -> Option<
     None
 }
 
+/// A shape of a point.
+fn shape(point: &PointKeys<'_>, problem: &str, remedy: &str) -> Option<Finding> {
+    point.shape.as_ref()?;
+    Some(point.place.finding_at("shape", problem, remedy))
+}
+
 /// Held points need a place; they have no mass.
 fn place_of(point: &PointKeys<'_>) -> Vec<Finding> {
     let mut found = Vec::new();
@@ -406,8 +412,7 @@ fn place_of(point: &PointKeys<'_>) -> Vec<Finding> {
         found.extend(point.load_n.if_given(problem, remedy));
         found.extend(point.added_mass_kg.if_given(problem, remedy));
         found.extend(point.drag_area_m2.if_given(problem, remedy));
-        let shape = point.shape.as_ref();
-        found.extend(shape.map(|_| point.place.finding_at("shape", problem, remedy)));
+        found.extend(shape(point, problem, remedy));
         if !on_body {
             found.extend(point.bed_friction.if_given(problem, remedy));
             found.extend(point.bed_area_m2.if_given(problem, remedy));
