@@ -4,6 +4,8 @@
 //! rest near by, has other tensions and places, by what the meshes of all lines make of them through the stiffness of the whole. Lines of
 //! closed form beside divided ones have theirs by that too. A system of closed forms alone has errors by rounding.
 
+use std::f64::consts::PI;
+
 use nalgebra::DVector;
 
 use super::along_bed::{force_along, on_slope, stiffness_along};
@@ -155,6 +157,8 @@ impl FinerSystem {
             let [here, finer, balanced] = [here, finer, &balanced].map(|place| &place.bodies[k]);
             let turn = self.error(here.rotation.angle_to(&finer.rotation))
                 + PRESUMED * here.rotation.angle_to(&balanced.rotation);
+            // No rotation is farther from another than half a turn.
+            let turn = turn.min(PI);
             Some([
                 distance(&here.origin, &finer.origin, &balanced.origin),
                 turn,

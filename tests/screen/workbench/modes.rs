@@ -83,7 +83,7 @@ fn modes_are_found_in_the_background_drawn_and_followed() {
 #[test]
 fn a_system_shows_the_modes_of_all_its_lines() {
     let mut desk = Desk::with_system(SMALL);
-    desk.keys("5");
+    desk.keys("6");
     assert!(desk.screen().contains("computed in the background"));
     assert_eq!(answer_modes(&mut desk), 1);
     snapshot("tui_system_modes_80x24", &desk);
