@@ -2,7 +2,7 @@
 //!
 //! `K x = omega² M x` with K and M the tangents by position and by acceleration that the steps in time use, read at rest with drag left out, as
 //! for a line by itself ([`crate::modes`]): a system of one line between held ends has the modes of that line. The unknowns are the inner nodes of
-//! the lines and the joints that are free ([`SystemPencil`](pencil::SystemPencil)); ends of lines and clamps move with them.
+//! the lines and the joints that are free (`SystemPencil`); ends of lines and clamps move with them.
 
 mod asked;
 mod blocks;
