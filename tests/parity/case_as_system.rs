@@ -229,7 +229,9 @@ pub(crate) fn apart_of(
         // Which segments of a straight line without load are slack at first is rounding, and with it who bears the half one at an end.
         let is_straight = case.start.shape == StartShape::Straight && own_values.len() > 1;
         let pairs = own_values.iter().zip(&others);
-        let pairs = pairs.skip(first.max(usize::from(is_straight)));
+        let first = first.max(usize::from(is_straight));
+        assert!(first < own_values.len(), "{other}: nothing is compared");
+        let pairs = pairs.skip(first);
         let differences = pairs.map(|(a, b)| (a - b).abs());
         let difference = differences.fold(0.0, f64::max);
         if other.starts_with("tension") {

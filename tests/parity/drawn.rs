@@ -6,10 +6,12 @@ use std::path::Path;
 
 use proptest::strategy::{Strategy, ValueTree};
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
-use seacable::case::{self, edit, kind};
+use seacable::case::{self, Case, Method, StartShape, edit, kind};
 use seacable::import::line_case;
-use seacable::run::RunState;
+use seacable::numerics::V3;
+use seacable::run::{History, Run, RunState};
 use seacable::system::SystemFile;
+use seacable::system::equilibrium::{SystemEquilibrium, search_near};
 
 use crate::case_as_system::{Apart, OF_ROD, ROD_RINGS, apart_of};
 use crate::drawn_lines::{any_line, any_scene};
@@ -29,11 +31,16 @@ enum Fate {
     SystemFails,
     /// The system comes to an end, its line does not.
     LineFails,
-    /// Both are computed, and are not the same: of what is known to differ.
-    KnownApart,
-    /// The same of another.
+    /// Each search found a rest of its own: the system rests where the line does, too.
+    OtherRest,
+    /// The payload turns, and the rod that it is on the line rings.
+    Rings,
+    /// Both are computed, and are not the same.
     Apart,
 }
+
+/// How far a rest on another bed, or by closed forms, may be from that of segments, by the length of the line.
+const NEAR: f64 = 0.01;
 
 /// Rows at the start of a line that falls, in which rounding decides which of its segments is taut.
 const FALLS: usize = 4;
@@ -44,10 +51,57 @@ const ALIKE: Apart = Apart {
     place_m: 1e-7,
 };
 
-/// Whether a line and its system may rest, or move, in different ways: a bed whose friction or slope leaves open where a line rests, of which each search finds
-/// its own place; a payload that turns, on the line two masses on a rod that rings in a line as stiff as it is, in the system a rigid body.
-fn is_known_apart(text: &str) -> bool {
-    text.contains("[seabed]") || text.contains("[payload.rotation]")
+/// Whether the system rests where the line does, too: the search near by, which forces of the current have a part in from the start, stays there.
+fn rests_there(case: &Case, line: &History, system: &str) -> bool {
+    let is_searched =
+        case.start.shape != StartShape::Straight || case.solver.method == Method::Static;
+    let solved = kind::parse::<SystemFile>(system, "system.toml").unwrap();
+    let mut near = solved.rest.placement.clone();
+    let ends = [&case.ends.a, &case.ends.b].into_iter();
+    let free: Vec<(usize, V3)> = ends
+        .filter(|end| !end.kind.is_held())
+        .map(|end| {
+            let channel = |axis: &str| line.channel(&format!("{axis}[{}]", end.name)).unwrap();
+            let place = ["x_m", "y_m", "z_m"].map(|axis| channel(axis).values[0]);
+            (solved.network.point(&end.name).unwrap(), place.into())
+        })
+        .collect();
+    for (point, place) in &free {
+        near.points[*point] = *place;
+    }
+    let length: f64 = case.line.iter().map(|section| section.length_m).sum();
+    let found = search_near(&solved.network, &near);
+    let stays = |rest: SystemEquilibrium| {
+        let mut moved = free
+            .iter()
+            .map(|(point, place)| (rest.placement.points[*point] - place).norm());
+        moved.all(|moved| moved < NEAR * length)
+    };
+    is_searched && found.is_ok_and(stays)
+}
+
+/// How far a line is from its system.
+fn apart(case: &Case, line: &Run, system: &Run) -> (bool, Apart) {
+    let named = |name: &str| system.history.channel(name).unwrap().values.clone();
+    let turns = turns(case);
+    let falls = case.start.shape == StartShape::Straight && case.solver.method != Method::Static;
+    let (first, allowed) = match (turns, falls) {
+        (true, _) => (ROD_RINGS, OF_ROD),
+        (false, true) => (FALLS, ALIKE),
+        (false, false) => (0, ALIKE),
+    };
+    let apart = apart_of(case, &line.history, first, named);
+    (
+        apart.tension <= allowed.tension && apart.place_m <= allowed.place_m,
+        apart,
+    )
+}
+
+/// Whether it has a payload that turns: on the line two masses on a rod that rings in a line as stiff as it is, in the system a rigid body.
+fn turns(case: &Case) -> bool {
+    case.payload
+        .as_ref()
+        .is_some_and(|of| of.rotation.is_some())
 }
 
 fn timed(changes: &str) -> String {
@@ -88,22 +142,16 @@ fn fate(text: &str) -> (Fate, String) {
         [true, false] => (Fate::SystemFails, format!("{:?}", run.info.failure)),
         [true, true] => {
             let case = case::parse(text, "line.toml").unwrap();
-            let named = |name: &str| run.history.channel(name).unwrap().values.clone();
-            let turns = case
-                .payload
-                .as_ref()
-                .is_some_and(|of| of.rotation.is_some());
-            let (first, allowed) = if turns {
-                (ROD_RINGS, OF_ROD)
-            } else {
-                (FALLS, ALIKE)
-            };
-            let apart = apart_of(&case, &line.history, first, named);
-            let is_alike = apart.tension <= allowed.tension && apart.place_m <= allowed.place_m;
-            match (is_alike, is_known_apart(text)) {
-                (true, _) => (Fate::Alike, String::new()),
-                (false, true) => (Fate::KnownApart, String::new()),
-                (false, false) => (Fate::Apart, format!("{apart:?}")),
+            let (is_alike, apart_by) = apart(&case, &line, &run);
+            if is_alike {
+                return (Fate::Alike, String::new());
+            }
+            if turns(&case) {
+                return (Fate::Rings, String::new());
+            }
+            match rests_there(&case, &line.history, &system) {
+                true => (Fate::OtherRest, String::new()),
+                false => (Fate::Apart, format!("{apart_by:?}")),
             }
         }
     }
@@ -143,9 +191,9 @@ fn a_thousand_drawn_lines_are_as_their_systems() {
     println!("{told}\n{fates:#?}");
     let count = |fate: Fate| fates.get(&fate).copied().unwrap_or_default();
     assert!(count(Fate::Alike) >= 560, "{fates:?}");
-    // Two lines that fall free from both ends, by 2e-4 of tensions that are next to none.
+    // Two lines that fall free from both ends, by 2e-4 of tensions that are next to none; two with an end that lies on a bed that slopes.
     assert!(
-        count(Fate::Apart) <= 2 && count(Fate::SystemFails) <= 1,
+        count(Fate::Apart) <= 4 && count(Fate::SystemFails) <= 1,
         "{told}{fates:?}"
     );
 }

@@ -494,6 +494,29 @@ added_mass_kg = 60.0
     assert_eq!(modes[2].names(&system.network), ("clump", "z"));
 }
 
+/// Above the surface the water neither carries it nor moves with it.
+#[test]
+fn a_clump_in_the_air_has_the_periods_of_its_own_mass() {
+    let system = system(
+        "[environment]\nwater_surface = \"crossed\"\n[points.clump]\nkind = \"free\"\nmass_kg = 800.0\nvolume_m3 = 0.1\nadded_mass_kg = 600.0\n",
+        &[
+            material(0.1, 1e-7, 1e6),
+            fixed("top", [0.0, 0.0, 70.0]),
+            wire("wire", ["top", "clump"], 50.0),
+        ],
+    );
+    let modes = periods(&system.network, &system.rest).unwrap().modes;
+    let found: Vec<f64> = modes.iter().filter_map(|mode| mode.period_s).collect();
+    let weight = 800.0 * 9.80665;
+    let swing = TAU * (800.0 * 50.0_f64 * (1.0 + weight / 1e6) / weight).sqrt();
+    let bounce = TAU * (800.0 * 50.0_f64 / 1e6).sqrt();
+    assert_eq!(found.len(), 3);
+    // The wire weighs 5 kg in the air.
+    for (found, wanted) in found.iter().zip([swing, swing, bounce]) {
+        assert!((found / wanted - 1.0).abs() < 0.01, "{found} {wanted}");
+    }
+}
+
 #[test]
 fn a_clump_swings_and_bounces_by_its_added_mass_along_each_axis() {
     let modes = |added: &str| -> Vec<f64> {

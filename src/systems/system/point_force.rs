@@ -8,6 +8,12 @@ use super::{
 use crate::numerics::{M3, V3};
 
 impl FreePoint {
+    /// Its mass along x, y, z with the added mass of the share of it that is under water \[kg\].
+    #[must_use]
+    pub fn mass(&self, share: f64) -> V3 {
+        self.moving_mass - self.added_mass * (1.0 - share)
+    }
+
     /// The force on it under water at a place \[m\], lines apart \[N\], and its change with the place \[N/m\]; drag in the full physics.
     #[must_use]
     pub fn force(&self, network: &Network, place: &V3, physics: LinePhysics) -> (V3, M3) {

@@ -2,8 +2,9 @@
 
 use super::places::begins_at;
 use super::source::{LETTERS, LineSource};
-use crate::case::{WaterSurface, Waves};
+use crate::case::{Payload, WaterSurface, Waves};
 use crate::import::to_case::case_text::CaseText;
+use crate::scene::shape_form;
 
 /// Waves higher than this share of the significant height are next to none.
 const HIGHEST: f64 = 2.0;
@@ -29,11 +30,10 @@ pub(super) fn of_point(system: &mut CaseText<'_>, source: &LineSource<'_>) {
 fn may_surface(source: &LineSource<'_>) -> bool {
     let case = &source.case;
     let is_light = |wet: f64| wet < 0.0;
-    let payload = case.payload.iter();
-    let mut payload = payload.map(|of| of.wet_mass_kg.unwrap_or(-1.0));
+    let density = case.environment.water_density_kg_per_m3;
+    let mut payload = case.payload.iter().map(|of| wet_mass(of, density));
     let mut clumps = case.clumps.iter().map(|clump| clump.wet_mass_kg);
     let mut travellers = case.traveller.iter().map(|body| body.wet_mass_kg);
-    let density = case.environment.water_density_kg_per_m3;
     let mut materials = case.materials.values().map(|of| of.wet_kg_per_m(density));
     let carried = !case.floats.is_empty() || !case.modules.is_empty();
     carried
@@ -42,6 +42,13 @@ fn may_surface(source: &LineSource<'_>) -> bool {
         || travellers.any(is_light)
         || materials.any(is_light)
         || free_end_above(source, -sea(source))
+}
+
+/// The mass that weighs as much as a payload does in water of a density \[kg\].
+fn wet_mass(of: &Payload, density: f64) -> f64 {
+    let of_shape = of.shape.as_ref().map(|shape| shape_form(shape).volume);
+    let volume = of.volume_m3.or(of_shape).unwrap_or(0.0);
+    of.wet_mass_kg.unwrap_or(of.dry_mass_kg - density * volume)
 }
 
 /// Whether a free end begins above a height \[m\].

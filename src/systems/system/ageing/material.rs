@@ -92,10 +92,7 @@ impl<'a> MaterialAgeing<'a> {
         let rings = mean(&|state| grown(state).powi(2) - (left(state) * nominal).powi(2));
         let area = self.growth.map_or(1.0, |growth| growth.mass_factor) * FRAC_PI_4 * rings;
         let density = self.growth.map_or(0.0, |growth| growth.density_kg_per_m3);
-        let new_area = FRAC_PI_4 * new.diameter_m * new.diameter_m;
-        let new_wet = new
-            .wet_weight_kg_per_m
-            .unwrap_or(new.mass_kg_per_m - water_density * new_area);
+        let new_wet = new.wet_kg_per_m(water_density);
         let weakest = states.iter().map(left).fold(1.0, f64::min);
         Material {
             diameter_m: new.diameter_m * mean(&|state| grown(state) / nominal),

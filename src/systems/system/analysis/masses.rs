@@ -4,8 +4,9 @@ use nalgebra::{DMatrix, Matrix6, SMatrix};
 
 use super::super::bounds::Contact;
 use super::super::equilibrium::SystemEquilibrium;
+use super::super::immersion::Immersion;
 use super::super::members;
-use super::super::network::{Body, Held, Network};
+use super::super::network::{Body, FreePoint, Held, Network};
 use super::super::pose::{Pose, cross};
 use super::periods::Moving;
 use crate::numerics::V3;
@@ -46,13 +47,13 @@ pub(super) fn masses(
                 let Held::Free(free) = &network.points[point].held else {
                     continue;
                 };
-                add(k, k, free.moving_mass[direction]);
+                let mass = mass_at_rest(network, rest, (point, free));
+                add(k, k, mass[direction]);
                 let lifts = lift(network, rest, point);
                 // Its other directions stand beside this one.
                 for j in k.saturating_sub(2)..own.len().min(k + 3) {
                     if own[j].of == moving.of {
-                        let lifted =
-                            free.moving_mass.z * lifts[direction] * lifts[own[j].direction];
+                        let lifted = mass.z * lifts[direction] * lifts[own[j].direction];
                         add(k, j, lifted);
                     }
                 }
@@ -66,6 +67,23 @@ pub(super) fn masses(
             carry((network, rest), own, (number, *carrier, at), add);
         }
     }
+}
+
+/// The mass of a free point where it rests, with the added mass of what of it is under water \[kg\]. What the surface holds down is out of the water by the share of its
+/// buoyancy that this takes.
+pub(super) fn mass_at_rest(
+    network: &Network,
+    rest: &SystemEquilibrium,
+    (number, point): (usize, &FreePoint),
+) -> V3 {
+    if network.crossed {
+        let z = rest.placement.points[number].z;
+        return point.mass(Immersion::of_point(network, point, z).share);
+    }
+    let at_surface = rest.contact(number) == Contact::Surface && point.buoyancy > 0.0;
+    let first = rest.freedoms.points[number].filter(|_| at_surface);
+    let dry = first.map_or(0.0, |first| rest.balance.force[first + 2] / point.buoyancy);
+    point.mass(1.0 - dry.clamp(0.0, 1.0))
 }
 
 fn add_block(

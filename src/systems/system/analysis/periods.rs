@@ -17,7 +17,7 @@ use super::super::line_physics::LinePhysics;
 use super::super::network::{Held, Network};
 use super::super::pose::cross;
 use super::super::stiffness::{contacts, take};
-use super::masses::{MovingUnknown, axes, first_direction, mass_matrix, masses};
+use super::masses::{MovingUnknown, axes, first_direction, mass_at_rest, mass_matrix, masses};
 use crate::numerics::envelope::EnvelopeMatrix;
 use crate::numerics::lowest_modes::lowest_modes;
 
@@ -200,9 +200,10 @@ fn parts(
         else {
             continue;
         };
+        let mass = mass_at_rest(network, rest, (point, free));
         let part = &mut parts[number[*here]];
         for k in (0..3).filter(|k| rest.contacts[there + k] == Contact::None) {
-            match free.moving_mass[k] > 0.0 {
+            match mass[k] > 0.0 {
                 true => part.own.push(MovingUnknown {
                     of: Moving::Point(point),
                     direction: k,
@@ -355,7 +356,8 @@ fn most_energy(
             (Moving::Body(_), _) => {}
             (Moving::Point(point), direction) => {
                 if let Held::Free(free) = &network.points[point].held {
-                    energy[k] = free.moving_mass[direction] * motion[k] * motion[k];
+                    let mass = mass_at_rest(network, rest, (point, free));
+                    energy[k] = mass[direction] * motion[k] * motion[k];
                 }
             }
         }

@@ -113,7 +113,7 @@ pub(super) fn point_load(
         share,
         by_place: (V3::z() - slope) * by_height,
     };
-    load.mass = point.moving_mass - point.added_mass * (1.0 - share);
+    load.mass = point.mass(share);
     load.mass_by_position = point.added_mass * immersion.by_place.transpose();
     let rising = waves.map_or(0.0, |flow| by_height * flow.elevation_rate);
     // Added mass that comes under water at a velocity takes up energy that no force gives.

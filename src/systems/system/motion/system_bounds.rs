@@ -99,6 +99,8 @@ fn share_of_mass(system: &MovingSystem, line: usize, end: usize) -> f64 {
     let ends = network.lines.iter().flat_map(|line| [line.from, line.to]);
     let count = ends.filter(|point| owner(*point) == owner(at)).count() as f64;
     let mass = match &network.points[at].held {
+        // Above the surface it has its own mass alone.
+        Held::Free(free) if network.crossed && !free.always_wet => free.mass(0.0).min(),
         Held::Free(free) => free.moving_mass.min(),
         Held::On(body, place) => mass_at(network, *body, place),
         Held::At(_) => 0.0,
